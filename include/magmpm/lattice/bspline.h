@@ -1,0 +1,31 @@
+#pragma once
+
+namespace magmpm
+{
+  /** Nodes that a quadratic B-spline reaches in one direction. */
+  inline constexpr int stencil_width = 3;
+
+  /**
+   * Quadratic B-spline weights of the three nodes around a point, Eq. (29) of Sun et al. 2021 (with
+   * the outer branch 1/2 (3/2 - |x|)^2).
+   *
+   * @param offset   distance from the first node, in units of dx; in [0.5, 1.5).
+   * @param weights  N at the three nodes; they sum to one and reproduce linear functions.
+   */
+  inline void
+  quadratic_bspline(const double offset, double (&weights)[stencil_width])
+  {
+    weights[0] = 0.5 * (1.5 - offset) * (1.5 - offset);
+    weights[1] = 0.75 - (offset - 1.) * (offset - 1.);
+    weights[2] = 0.5 * (offset - 0.5) * (offset - 0.5);
+  }
+
+  /** Derivatives of the same weights with respect to the point, in units of 1/dx. */
+  inline void
+  quadratic_bspline_derivative(const double offset, double (&derivatives)[stencil_width])
+  {
+    derivatives[0] = offset - 1.5;
+    derivatives[1] = -2. * (offset - 1.);
+    derivatives[2] = offset - 0.5;
+  }
+} // namespace magmpm

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <magmpm/lattice/lattice.h>
+#include <magmpm/mesh/mesh_parameters.h>
+
+#include <mpi.h>
+
+#include <memory>
+#include <vector>
+
+namespace dealii::parallel::distributed
+{
+  template <int dim, int spacedim>
+  class Triangulation;
+}
+
+namespace magmpm
+{
+  /**
+   * The p4est mesh of the potential box, aligned with the lattice. Where material is, cells have an
+   * edge of 2 dx, so that the support points of FE_Q(2) are the lattice nodes; they coarsen 2:1 away
+   * from it. The 2^dim such cells of one parent are a block (edge 4 dx), which p4est keeps on one
+   * rank: the mesh is the one partition of blocks, nodes and particles.
+   *
+   * A cell's place on the lattice is integer arithmetic: lattice.nearest_node(vertex 0) is its
+   * lower node, its edge a power of two times dx.
+   */
+  template <int dim>
+  class BackgroundMesh
+  {
+  public:
+    using Triangulation = dealii::parallel::distributed::Triangulation<dim, dim>;
+
+    BackgroundMesh(const MPI_Comm communicator, const Lattice<dim> &lattice, const MeshParameters<dim> &parameters);
+    ~BackgroundMesh();
+
+    /**
+     * Refines around the blocks that all ranks give and coarsens far from them, with hysteresis; a
+     * mesh that already serves is left alone. Then spreads the cells over the ranks by weight.
+     * Collective.
+     *
+     * @param blocks   blocks with material, of this rank's particles (any owner).
+     * @param weights  particles in each of them.
+     * @return whether the mesh or its partition changed.
+     */
+    bool
+    adapt(const std::vector<Index<dim>> &blocks, const std::vector<unsigned int> &weights);
+
+    /** Owner rank of each block. Blocks outside the box belong to the owner of the nearest inside. */
+    std::vector<unsigned int>
+    owners(const std::vector<Index<dim>> &blocks) const;
+
+    const Triangulation &
+    triangulation() const;
+
+    const Lattice<dim> &
+    lattice() const
+    {
+      return the_lattice;
+    }
+
+    const MeshParameters<dim> &
+    parameters() const
+    {
+      return the_parameters;
+    }
+
+    MPI_Comm
+    communicator() const
+    {
+      return the_communicator;
+    }
+
+    /** Counts the changes of the mesh: what is built on the mesh is valid for one revision. */
+    unsigned int
+    revision() const
+    {
+      return the_revision;
+    }
+
+  private:
+    const MPI_Comm            the_communicator;
+    const Lattice<dim>        the_lattice;
+    const MeshParameters<dim> the_parameters;
+    unsigned int              the_revision = 0;
+
+    struct Implementation;
+    std::unique_ptr<Implementation> implementation;
+  };
+} // namespace magmpm

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <array>
+
+namespace magmpm
+{
+  /** The box of the potential around the mechanical one. */
+  template <int dim>
+  struct MeshParameters
+  {
+    /** Whether the scene has magnetic material; if not the mesh only spreads the blocks over the ranks. */
+    bool carries_potential = true;
+
+    /** Edge of the potential box over the edge of the mechanical box, at least, where faces are open. */
+    double potential_box_factor = 2.;
+
+    /** Faces (-x, +x, -y, ...) where the potential box ends at the wall (mirror condition). */
+    std::array<bool, 2 * dim> shielded = {};
+
+    /** Cells of the finest size are kept this many blocks beyond the active ones; they stay until the
+     *  material is more than twice as far. */
+    int band_width = 1;
+  };
+} // namespace magmpm
