@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+/** Numbers as people like to read them. */
+namespace magmpm
+{
+  /** 110592 as "110,592". */
+  std::string
+  with_separators(const unsigned long value);
+
+  /** 0.0078125, "m" as "7.81 mm": three digits and a prefix from n (nano) to G (giga). */
+  std::string
+  with_prefix(const double value, const std::string &unit);
+
+  /** 1.94e-4 as "1.9e-4": two digits, no plus sign or zeros in the exponent. */
+  std::string
+  scientific(const double value);
+
+  /** 90.3 [s] as "1 min 30 s": the two largest of h, min, s; tenths below ten seconds. */
+  std::string
+  duration(const double seconds);
+} // namespace magmpm

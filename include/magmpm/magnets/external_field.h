@@ -1,0 +1,87 @@
+#pragma once
+
+#include <magmpm/magnets/magnetic_source.h>
+#include <magmpm/magnets/magnetized_sphere.h>
+#include <magmpm/magnets/source_parameters.h>
+
+#include <memory>
+#include <vector>
+
+namespace magmpm
+{
+  /** H_ext, the sum of the fields of all sources of a scene. */
+  template <int dim>
+  class ExternalField
+  {
+  public:
+    /**
+     * The sources as they are at time zero.
+     *
+     * @throw InputError  names the source, what is wrong with it, and what is allowed.
+     */
+    explicit ExternalField(const std::vector<SourceParameters<dim>> &parameters);
+
+    /** Moves all sources to where they are at @p time >= 0 [s]. */
+    void
+    set_time(const double time);
+
+    /** H_ext [A/m] at @p point [m]. */
+    Vector<dim>
+    field(const Vector<dim> &point) const;
+
+    /** G(i,j) = dH_i/dx_j [A/m^2] of H_ext at @p point [m]. */
+    Matrix<dim>
+    field_gradient(const Vector<dim> &point) const;
+
+    /** Whether there is no field at any time: no source, or all of them constant and zero. */
+    bool
+    is_absent() const;
+
+    /** Whether the field never changes in time. */
+    bool
+    is_constant() const;
+
+    /** How much the sources changed. */
+    struct Change
+    {
+      /** The largest |S - S'|/max(|S|, |S'|) of a source, S and S' its strength() now and then. */
+      double relative_strength;
+      /** The largest way that a source moved, as the crow flies [m]. */
+      double displacement;
+    };
+
+    /** Keeps the present state of the sources for change_since_remembered(). */
+    void
+    remember();
+
+    /** Zeros if nothing changed; infinite as long as nothing was remembered. */
+    Change
+    change_since_remembered() const;
+
+    const std::vector<std::unique_ptr<MagneticSource<dim>>> &
+    sources() const
+    {
+      return all_sources;
+    }
+
+    /** The sources that have a surface (contact other than none), for colliders; owned by this. */
+    const std::vector<const MagnetizedSphere<dim> *> &
+    solid_spheres() const
+    {
+      return solids;
+    }
+
+  private:
+    /** What change_since_remembered() compares, of one source. */
+    struct Snapshot
+    {
+      Vector<dim> strength;
+      Vector<dim> centre;
+    };
+
+    std::vector<std::unique_ptr<MagneticSource<dim>>> all_sources;
+    std::vector<const MagnetizedSphere<dim> *> solids;
+    std::vector<Snapshot> remembered;
+    bool has_remembered = false;
+  };
+} // namespace magmpm

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <magmpm/magnets/magnetic_source.h>
+#include <magmpm/magnets/motion_script.h>
+#include <magmpm/magnets/source_parameters.h>
+
+namespace magmpm
+{
+  /** A field H(t) that is the same everywhere, as between large pole pieces. */
+  template <int dim>
+  class UniformField : public MagneticSource<dim>
+  {
+  public:
+    /** @throw InputError  if the field cannot be parsed, or a contact condition is given. */
+    explicit UniformField(const SourceParameters<dim> &parameters);
+
+    void
+    set_time(const double time) override;
+
+    Vector<dim>
+    field(const Vector<dim> &point) const override;
+
+    Matrix<dim>
+    field_gradient(const Vector<dim> &point) const override;
+
+    bool
+    is_constant() const override;
+
+    /** H [A/m]. */
+    Vector<dim>
+    strength() const override;
+
+    /** The origin: a uniform field has no place. */
+    Vector<dim>
+    centre() const override;
+
+  private:
+    MotionScript<dim> field_script;
+    Vector<dim> current_field; ///< H [A/m]
+  };
+} // namespace magmpm

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <magmpm/materials/magnetization.h>
+#include <magmpm/materials/material_parameters.h>
+#include <magmpm/materials/neo_hookean.h>
+#include <magmpm/materials/viscoelastic_fluid.h>
+#include <magmpm/particles/body_parameters.h>
+#include <magmpm/particles/particle_set.h>
+
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace magmpm
+{
+  template <int dim>
+  using Material = std::variant<NeoHookean<dim>, ViscoelasticFluid<dim>>;
+
+  /**
+   * A named body: its material and this rank's particles of it. Particles of one body obey one law,
+   * so a kernel call works on one run of one body in one block.
+   */
+  template <int dim>
+  struct Body
+  {
+    Body(const BodyParameters<dim> &parameters, const MaterialParameters &material);
+
+    std::string        name;
+    Material<dim>      material;
+    MagneticParameters magnetic;
+    ParticleSet<dim>   particles;
+
+    /** Particles of the block in slot s, an owned one: run_begin[s] to run_begin[s + 1]. */
+    std::vector<std::size_t> run_begin;
+  };
+} // namespace magmpm

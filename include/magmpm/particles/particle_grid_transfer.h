@@ -1,0 +1,76 @@
+#pragma once
+
+#include <magmpm/lattice/block_set.h>
+#include <magmpm/lattice/node_field.h>
+#include <magmpm/particles/body.h>
+
+#include <vector>
+
+namespace magmpm
+{
+  /**
+   * Extremes over particles after a step, for the limits of the time step and to notice a run that
+   * went astray. A value that is not a number counts as infinite.
+   */
+  struct ParticleExtremes
+  {
+    double speed            = 0.; ///< |v| [m/s]
+    double signal_speed     = 0.; ///< wave speed of the deformed material + |v| [m/s]
+    double affine_velocity  = 0.; ///< Frobenius norm of C [1/s]
+    double max_volume_ratio = 0.; ///< J
+    double max_inverse_volume_ratio = 0.; ///< 1/J; infinite where J <= 0
+  };
+
+  /**
+   * P2G, Eq. (28) of Sun et al. 2021 in the form of MLS-MPM: mass and momentum with the affine part
+   * of APIC, the impulse of the stress and of the carried magnetic force over a step,
+   *   (m v)_i += N_ip [ m (v + dt a) + (m C - dt 4/dx^2 V_0 tau) (x_i - x_p) ].
+   *
+   * @param field  {momentum [kg m/s], mass [kg]}; on return the sums over this rank's particles,
+   *               also on ghosts.
+   */
+  template <int dim>
+  void
+  particles_to_lattice(std::vector<Body<dim>> &bodies,
+                       const BlockSet<dim>    &blocks,
+                       const Lattice<dim>     &lattice,
+                       const double            time_step,
+                       NodeField<dim>         &field);
+
+  /**
+   * G2P and advection, Eqs. (35-37): velocity and affine velocity from the nodes, then deformation
+   * and position over a step.
+   *
+   * @param field  {velocity [m/s], mass [kg]}, ghosts up to date.
+   * @return extremes over this rank's particles after the step, one per body.
+   */
+  template <int dim>
+  std::vector<ParticleExtremes>
+  lattice_to_particles(const NodeField<dim>   &field,
+                       const BlockSet<dim>    &blocks,
+                       const Lattice<dim>     &lattice,
+                       const double            time_step,
+                       std::vector<Body<dim>> &bodies);
+
+  /**
+   * Density of magnetic content, P2G of the grains of each particle, Eq. (27):
+   * {volume J V_0 over dx^dim [-], saturation magnetization [A/m], initial susceptibility [-],
+   *  number density [1/m^3]}, the last three those of the undeformed material times V_0/dx^dim.
+   * Grains move with the material, so their number per particle never changes.
+   */
+  template <int dim>
+  void
+  magnetic_content_to_lattice(std::vector<Body<dim>> &bodies,
+                              const BlockSet<dim>    &blocks,
+                              const Lattice<dim>     &lattice,
+                              NodeField<dim>         &content);
+
+  /** What a quantity of the nodes becomes on magnetic particles. */
+  template <int dim>
+  void
+  interpolate_to_particles(const NodeField<dim>   &field,
+                           const BlockSet<dim>    &blocks,
+                           const Lattice<dim>     &lattice,
+                           const ParticleQuantity  quantity,
+                           std::vector<Body<dim>> &bodies);
+} // namespace magmpm

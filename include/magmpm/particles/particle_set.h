@@ -1,0 +1,155 @@
+#pragma once
+
+#include <magmpm/base/tensor.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace magmpm
+{
+  /** What a particle carries. */
+  enum class ParticleQuantity : int
+  {
+    position,
+    velocity,
+    affine_velocity, ///< the matrix C of APIC, by rows
+    deformation,     ///< F by rows (solid), or J (fluid)
+    mass,
+    volume, ///< undeformed
+    magnetic_acceleration,
+    magnetic_field ///< H at the last solve
+  };
+
+  inline constexpr int n_particle_quantities = 8;
+
+  /** Name and unit of each quantity, in the order of ParticleQuantity. */
+  struct ParticleQuantityInfo
+  {
+    const char *name;
+    const char *unit;
+  };
+
+  inline constexpr std::array<ParticleQuantityInfo, n_particle_quantities> particle_quantity_info = {
+    {{"position", "m"},
+     {"velocity", "m/s"},
+     {"affine velocity", "1/s"},
+     {"deformation", "-"},
+     {"mass", "kg"},
+     {"volume", "m^3"},
+     {"magnetic acceleration", "m/s^2"},
+     {"magnetic field", "A/m"}}};
+
+  /** The arrays of a particle set as the kernels see them: one pointer per component. */
+  template <int dim>
+  struct ParticleArrays
+  {
+    double *position[dim];
+    double *velocity[dim];
+    double *affine_velocity[dim * dim];
+    double *deformation[dim * dim]; ///< only the first one if the deformation is J
+    double *mass;
+    double *volume;
+    double *magnetic_acceleration[dim]; ///< null without magnetic material
+    double *magnetic_field[dim];        ///< null without magnetic material
+  };
+
+  /**
+   * Particles of one body as a structure of arrays: an array per component of each quantity, all in
+   * the same order. The order is that of the last sort.
+   */
+  template <int dim>
+  class ParticleSet
+  {
+  public:
+    /**
+     * @param stores_deformation_gradient  F; otherwise the volume ratio J alone.
+     * @param is_magnetic                  whether magnetic quantities are stored at all.
+     */
+    ParticleSet(const bool stores_deformation_gradient, const bool is_magnetic);
+
+    std::size_t
+    size() const
+    {
+      return identities.size();
+    }
+
+    void
+    resize(const std::size_t n_particles);
+
+    /** Components of a quantity that are stored; zero if it is not. */
+    int
+    n_components(const ParticleQuantity quantity) const
+    {
+      return component_counts[static_cast<int>(quantity)];
+    }
+
+    double *
+    component(const ParticleQuantity quantity, const int c)
+    {
+      return components[first_component[static_cast<int>(quantity)] + c].data();
+    }
+
+    const double *
+    component(const ParticleQuantity quantity, const int c) const
+    {
+      return components[first_component[static_cast<int>(quantity)] + c].data();
+    }
+
+    /** A number per particle that stays with it and does not depend on the number of ranks. */
+    const std::vector<std::uint64_t> &
+    ids() const
+    {
+      return identities;
+    }
+
+    std::vector<std::uint64_t> &
+    ids()
+    {
+      return identities;
+    }
+
+    Vector<dim>
+    position(const std::size_t p) const
+    {
+      return vector(ParticleQuantity::position, p);
+    }
+
+    Vector<dim>
+    vector(const ParticleQuantity quantity, const std::size_t p) const
+    {
+      Vector<dim> result;
+      for (int d = 0; d < dim; ++d)
+        result[d] = component(quantity, d)[p];
+      return result;
+    }
+
+    ParticleArrays<dim>
+    arrays();
+
+    /** Numbers that describe one particle completely when it is sent to another rank. */
+    int
+    record_size() const
+    {
+      return static_cast<int>(components.size()) + 1;
+    }
+
+    void
+    append_record(const std::size_t p, std::vector<double> &records) const;
+
+    void
+    append_from_records(const std::vector<double> &records);
+
+    /** New order: particle order[i] comes to place i; particles not named are dropped. */
+    void
+    reorder(const std::vector<std::uint32_t> &order);
+
+  private:
+    std::array<int, n_particle_quantities> component_counts;
+    std::array<int, n_particle_quantities> first_component;
+    std::vector<std::vector<double>>       components;
+    std::vector<std::uint64_t>             identities;
+    std::vector<double>                    reordered; ///< memory of reorder()
+  };
+} // namespace magmpm

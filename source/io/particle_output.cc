@@ -1,0 +1,147 @@
+#include <magmpm/base/exceptions.h>
+#include <magmpm/io/particle_output.h>
+
+#include <deal.II/base/data_out_base.h>
+#include <deal.II/base/mpi.h>
+
+#include <filesystem>
+#include <limits>
+
+namespace magmpm
+{
+  namespace
+  {
+    const std::string subfolder = "particles";
+
+    std::string
+    written_name(const ParticleQuantity &quantity)
+    {
+      return quantity.name + " [" + quantity.unit + "]";
+    }
+
+    /** The particles in the form deal.II writes: patches of dimension 0, one vertex each. */
+    template <int dim>
+    class ParticlePatches : public dealii::DataOutInterface<0, dim>
+    {
+    public:
+      ParticlePatches(const std::vector<Vector<dim>> &positions,
+                      const std::vector<ParticleQuantity> &quantities);
+
+    private:
+      using Patch = dealii::DataOutBase::Patch<0, dim>;
+      using NonscalarRange =
+        std::tuple<unsigned int,
+                   unsigned int,
+                   std::string,
+                   dealii::DataComponentInterpretation::DataComponentInterpretation>;
+
+      const std::vector<Patch> &
+      get_patches() const override
+      {
+        return patches;
+      }
+
+      std::vector<std::string>
+      get_dataset_names() const override
+      {
+        return dataset_names;
+      }
+
+      std::vector<NonscalarRange>
+      get_nonscalar_data_ranges() const override
+      {
+        return nonscalar_ranges;
+      }
+
+      std::vector<Patch> patches;
+      std::vector<std::string> dataset_names; ///< one for each component
+      std::vector<NonscalarRange> nonscalar_ranges;
+    };
+
+    template <int dim>
+    ParticlePatches<dim>::ParticlePatches(const std::vector<Vector<dim>> &positions,
+                                          const std::vector<ParticleQuantity> &quantities)
+      : patches(positions.size())
+    {
+      for (const ParticleQuantity &quantity : quantities)
+        {
+          Assert(quantity.n_components == 1 || quantity.n_components == dim,
+                 dealii::ExcMessage("A quantity is a scalar or a vector of the space."));
+          AssertDimension(quantity.values.size(), quantity.n_components * positions.size());
+
+          const unsigned int first = dataset_names.size();
+          if (quantity.n_components > 1)
+            nonscalar_ranges.emplace_back(
+              first,
+              first + dim - 1,
+              written_name(quantity),
+              dealii::DataComponentInterpretation::component_is_part_of_vector);
+          dataset_names.insert(dataset_names.end(), quantity.n_components, written_name(quantity));
+        }
+
+      for (std::size_t p = 0; p < positions.size(); ++p)
+        {
+          Patch &patch      = patches[p];
+          patch.patch_index = p;
+          for (int d = 0; d < dim; ++d)
+            patch.vertices[0][d] = positions[p][d];
+
+          patch.data.reinit(dataset_names.size(), 1);
+          unsigned int component = 0;
+          for (const ParticleQuantity &quantity : quantities)
+            for (int c = 0; c < quantity.n_components; ++c)
+              patch.data(component++,
+                         0) = static_cast<float>(quantity.values[p * quantity.n_components + c]);
+        }
+    }
+  } // namespace
+
+  template <int dim>
+  ParticleOutput<dim>::ParticleOutput(const MPI_Comm communicator, const std::string &directory)
+    : communicator(communicator)
+    , directory(directory)
+    , record(directory + "/" + subfolder + ".pvd")
+  {
+    const std::filesystem::path folder = std::filesystem::path(directory) / subfolder;
+
+    // All ranks learn of a failure: one that threw alone would leave the others waiting.
+    int is_made = 1;
+    if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+      {
+        std::error_code error;
+        std::filesystem::create_directories(folder, error);
+        is_made = !error;
+      }
+    if (dealii::Utilities::MPI::min(is_made, communicator) == 0)
+      throw RunError("The folder '" + folder.string() +
+                     "' for the particles cannot be made. Are you allowed to write there?");
+  }
+
+  template <int dim>
+  void
+  ParticleOutput<dim>::write_frame(const unsigned int frame,
+                                   const double time,
+                                   const std::vector<Vector<dim>> &positions,
+                                   const std::vector<ParticleQuantity> &quantities)
+  {
+    ParticlePatches<dim> output(positions, quantities);
+
+    // best_compression, deal.II's default, takes several times as long for a few percent of space.
+    dealii::DataOutBase::VtkFlags flags;
+    flags.time              = time;
+    flags.cycle             = frame;
+    flags.compression_level = dealii::DataOutBase::VtkFlags::best_speed;
+    output.set_flags(flags);
+
+    const unsigned int n_digits = 4;
+    const unsigned int n_groups = 1; // one file a frame, whatever the number of ranks
+    const std::string pvtu      = output.write_vtu_with_pvtu_record(
+      directory + "/" + subfolder + "/", "particles", frame, communicator, n_digits, n_groups);
+
+    if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+      record.add(time, subfolder + "/" + pvtu);
+  }
+
+  template class ParticleOutput<2>;
+  template class ParticleOutput<3>;
+} // namespace magmpm

@@ -1,0 +1,241 @@
+#include <magmpm/base/exceptions.h>
+#include <magmpm/io/number_text.h>
+#include <magmpm/io/run_log.h>
+
+#include <deal.II/base/config.h>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <iomanip>
+#include <ostream>
+#include <sstream>
+#include <streambuf>
+
+namespace magmpm
+{
+  namespace
+  {
+    constexpr unsigned int n_recent_frames = 10;
+
+    double
+    seconds_between(const std::chrono::steady_clock::time_point from,
+                    const std::chrono::steady_clock::time_point to)
+    {
+      return std::chrono::duration<double>(to - from).count();
+    }
+
+    /** "elastic, wave speed 23 m/s", "fluid, sound speed 32 m/s, viscosity 1 Pa s". */
+    std::string
+    mechanics_of(const RunLog::Body &body)
+    {
+      const MaterialParameters &material = body.material;
+      if (material.law == MechanicalLaw::neo_hookean)
+        {
+          const double modulus = material.lame_lambda + 2. * material.shear_modulus;
+          return "elastic, wave speed " + with_prefix(std::sqrt(modulus / body.density), "m/s");
+        }
+      return "fluid, sound speed " +
+             with_prefix(std::sqrt(material.bulk_modulus / body.density), "m/s") + ", viscosity " +
+             with_prefix(material.viscosity, "Pa s");
+    }
+
+    /** "Langevin, chi_0 = 0.91, saturation 82 kA/m", "linear, chi = 0.91", "not magnetic". */
+    std::string
+    magnetics_of(const RunLog::Body &body)
+    {
+      const MagneticParameters &magnetic = body.material.magnetic;
+      if (!magnetic.is_magnetic())
+        return "not magnetic";
+
+      const std::string susceptibility = with_prefix(magnetic.initial_susceptibility, "");
+      if (body.magnetization_law == MagnetizationLaw::linear)
+        return "linear, chi = " + susceptibility.substr(0, susceptibility.find(' '));
+      return "Langevin, chi_0 = " + susceptibility.substr(0, susceptibility.find(' ')) +
+             ", saturation " + with_prefix(magnetic.saturation_magnetization, "A/m");
+    }
+
+    /** Digits after the point of t that tell one frame from the next, and one more. */
+    int
+    decimals_of_time(const double frame_interval)
+    {
+      return std::max(1, static_cast<int>(std::ceil(-std::log10(frame_interval))) + 1);
+    }
+  } // namespace
+
+  /** A stream buffer without memory: every character goes to two others. */
+  class RunLog::Splitter : public std::streambuf
+  {
+  public:
+    Splitter(std::streambuf *first, std::streambuf *second)
+      : first(first)
+      , second(second)
+    {
+    }
+
+  private:
+    int
+    overflow(const int character) override
+    {
+      if (character == traits_type::eof())
+        return traits_type::not_eof(character);
+      first->sputc(static_cast<char>(character));
+      second->sputc(static_cast<char>(character));
+      return character;
+    }
+
+    int
+    sync() override
+    {
+      const int first_result = first->pubsync();
+      return (second->pubsync() == 0 && first_result == 0) ? 0 : -1;
+    }
+
+    std::streambuf *first, *second;
+  };
+
+  RunLog::RunLog(const MPI_Comm communicator,
+                 const std::string &directory,
+                 const unsigned int n_frames,
+                 const double frame_interval,
+                 std::ostream &terminal)
+    : n_frames(n_frames)
+    , frame_interval(frame_interval)
+    , directory(directory)
+    , start(Clock::now())
+    , frame_ends{start}
+  {
+    int rank = 0;
+    MPI_Comm_rank(communicator, &rank);
+    MPI_Comm_size(communicator, &n_ranks);
+    if (rank == 0)
+      {
+        const std::string path = directory + "/log.txt";
+        file.open(path);
+        if (!file)
+          throw RunError("The log '" + path + "' cannot be opened for writing. Is there such a " +
+                         "folder, and are you allowed to write there?");
+        splitter = std::make_unique<Splitter>(terminal.rdbuf(), file.rdbuf());
+      }
+    // A stream without a buffer swallows everything.
+    both = std::make_unique<std::ostream>(splitter.get());
+  }
+
+  RunLog::~RunLog() = default;
+
+  std::ostream &
+  RunLog::stream()
+  {
+    return *both;
+  }
+
+  void
+  RunLog::header(const std::string &version, const Scene &scene)
+  {
+    *both << version << ", " << software_versions() << ", " << n_ranks
+          << (n_ranks == 1 ? " rank" : " ranks") << '\n'
+          << "  " << scene.dimension
+          << "D, lattice dx = " << with_prefix(scene.lattice_spacing, "m") << ", "
+          << with_separators(scene.n_particles) << " particles, ";
+    if (scene.potential_unknowns > 0)
+      *both << with_separators(scene.potential_unknowns) << " potential unknowns\n";
+    else
+      *both << "nothing magnetic: no potential\n";
+
+    for (const Body &body : scene.bodies)
+      *both << "  " << body.name << ": " << mechanics_of(body) << "; " << magnetics_of(body)
+            << '\n';
+    *both << std::flush;
+
+    // What came before (seeding, the first mesh) shall not count as part of the first frame.
+    frame_ends = {Clock::now()};
+  }
+
+  double
+  RunLog::seconds_per_frame() const
+  {
+    return seconds_between(frame_ends.front(), frame_ends.back()) / (frame_ends.size() - 1);
+  }
+
+  void
+  RunLog::frame(const Frame &frame)
+  {
+    frame_ends.push_back(Clock::now());
+    if (frame_ends.size() > n_recent_frames + 1)
+      frame_ends.pop_front();
+    const double n_left = n_frames > frame.number ? n_frames - frame.number : 0.;
+
+    std::ostringstream line;
+    line << "frame " << std::setw(std::to_string(n_frames).size()) << frame.number << '/'
+         << n_frames << ' ' << std::setw(3) << (100ul * frame.number) / std::max(n_frames, 1u)
+         << " %  t = " << std::fixed << std::setprecision(decimals_of_time(frame_interval))
+         << frame.time << " s  dt = " << std::setw(6) << scientific(frame.dt) << " s " << std::left
+         << std::setw(11) << '(' + frame.limit + ')' << std::right;
+    if (frame.n_solves > 0)
+      line << "  Newton " << std::setw(2) << frame.newton << ", CG " << std::setw(3) << frame.cg;
+    line << "  |v| < " << std::setw(9) << with_prefix(frame.max_speed, "m/s") << "  ";
+    line << std::defaultfloat << std::setprecision(3) << seconds_per_frame() << " s/frame";
+    if (n_left > 0.)
+      line << ", about " << duration(n_left * seconds_per_frame()) << " left";
+    *both << line.str() << std::endl;
+  }
+
+  void
+  RunLog::message(const std::string &text)
+  {
+    *both << "  " << text << std::endl;
+  }
+
+  void
+  RunLog::warning(const std::string &text)
+  {
+    *both << "WARNING: " << text << std::endl;
+  }
+
+  void
+  RunLog::failure(const std::string &text)
+  {
+    if (file.is_open())
+      file << "FAILED: " << text << std::endl;
+  }
+
+  void
+  RunLog::end()
+  {
+    *both << "finished in " << duration(seconds_between(start, Clock::now())) << "; results in "
+          << directory << '\n';
+    if (!splitter)
+      return;
+
+    static constexpr const char *results[][2] = {
+      {"particles.pvd", "particles, frame by frame (ParaView)"},
+      {"fields.pvd", "magnetic fields on the mesh (ParaView)"},
+      {"statistics.csv", "a row a step; doc/statistics.md says what the columns mean"},
+      {"log.txt", "these lines"},
+      {"parameters.prm", "every parameter of this run; original.prm is the file as given"}};
+    for (const auto &[name, meaning] : results)
+      if (std::filesystem::exists(std::filesystem::path(directory) / name))
+        *both << "  " << std::left << std::setw(16) << name << meaning << '\n';
+    *both << std::right << std::flush;
+  }
+
+  std::string
+  software_versions()
+  {
+    std::ostringstream text;
+    text << "deal.II " << DEAL_II_PACKAGE_VERSION;
+#ifdef DEAL_II_WITH_TRILINOS
+    text << ", Trilinos " << DEAL_II_TRILINOS_VERSION_MAJOR << '.'
+         << DEAL_II_TRILINOS_VERSION_MINOR;
+#endif
+#ifdef DEAL_II_WITH_P4EST
+    text << ", p4est " << DEAL_II_P4EST_VERSION_MAJOR << '.' << DEAL_II_P4EST_VERSION_MINOR;
+#endif
+#ifdef DEBUG // deal.II's switch: its assertions are on
+    text << ", DEBUG";
+#else
+    text << ", RELEASE";
+#endif
+    return text.str();
+  }
+} // namespace magmpm

@@ -1,0 +1,109 @@
+#include <magmpm/base/exceptions.h>
+#include <magmpm/io/statistics_file.h>
+
+#include <algorithm>
+#include <charconv>
+#include <iterator>
+#include <stdexcept>
+
+namespace magmpm
+{
+  namespace
+  {
+    /** The text as one cell of a table: in quotes where a comma or a quote would break it. */
+    std::string
+    quoted(const std::string &text)
+    {
+      if (text.find_first_of(",\"\n") == std::string::npos)
+        return text;
+      std::string result = "\"";
+      for (const char c : text)
+        result += (c == '"') ? std::string("\"\"") : std::string(1, c);
+      return result + '"';
+    }
+
+    /** The cells, separated by commas, as a line. */
+    std::string
+    joined(const std::vector<std::string> &cells)
+    {
+      std::string line;
+      for (const std::string &cell : cells)
+        line += (line.empty() ? "" : ",") + cell;
+      return line + '\n';
+    }
+  } // namespace
+
+  StatisticsFile::StatisticsFile(const MPI_Comm communicator,
+                                 const std::string &path,
+                                 const std::vector<StatisticsColumn> &table)
+    : path(path)
+    , row(table.size())
+  {
+    std::vector<std::string> headings;
+    for (const StatisticsColumn &column : table)
+      {
+        if (!columns.emplace(column.name, names.size()).second)
+          throw std::logic_error("Two columns of statistics are called '" + column.name + "'.");
+        names.push_back(column.name);
+        headings.push_back(quoted(column.heading()));
+      }
+
+    int rank = 0;
+    MPI_Comm_rank(communicator, &rank);
+    is_writer = (rank == 0);
+    if (!is_writer)
+      return;
+
+    file.open(path);
+    if (!file)
+      throw RunError("The statistics file '" + path +
+                     "' cannot be opened for writing. Is there such a folder, and are you allowed "
+                     "to write there?");
+    file << joined(headings);
+  }
+
+  std::string &
+  StatisticsFile::cell(const std::string &name)
+  {
+    const auto column = columns.find(name);
+    if (column == columns.end())
+      throw std::logic_error("The statistics have no column '" + name + "'.");
+    return row[column->second];
+  }
+
+  void
+  StatisticsFile::set(const std::string &name, const double value)
+  {
+    // The shortest text that is read back as the same double.
+    char text[32];
+    const auto end = std::to_chars(std::begin(text), std::end(text), value);
+    cell(name).assign(text, end.ptr);
+  }
+
+  void
+  StatisticsFile::set(const std::string &name, const std::string &text)
+  {
+    // Quotes also around an empty text, so that it is told from a value that was forgotten.
+    cell(name) = text.empty() ? "\"\"" : quoted(text);
+  }
+
+  void
+  StatisticsFile::write_row()
+  {
+    const auto missing = std::find(row.begin(), row.end(), "");
+    if (missing != row.end())
+      throw std::logic_error("A row of statistics lacks the value of '" +
+                             names[missing - row.begin()] + "'.");
+
+    if (is_writer)
+      file << joined(row);
+    std::fill(row.begin(), row.end(), "");
+  }
+
+  void
+  StatisticsFile::flush()
+  {
+    if (is_writer && !file.flush())
+      throw RunError("The statistics file '" + path + "' cannot be written. Is the disk full?");
+  }
+} // namespace magmpm

@@ -1,0 +1,180 @@
+#include <deal.II/base/exceptions.h>
+#include <deal.II/base/function_parser.h>
+
+#include <magmpm/base/constants.h>
+#include <magmpm/base/exceptions.h>
+#include <magmpm/magnets/motion_script.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <map>
+#include <sstream>
+#include <vector>
+
+namespace magmpm
+{
+  namespace
+  {
+    /** Half the interval of the difference quotient of velocity() [s]. */
+    constexpr double half_interval = 1e-6;
+
+    /** Splits at semicolons, and at commas that are not between the arguments of a function. */
+    std::vector<std::string>
+    split_components(const std::string &expression)
+    {
+      std::vector<std::string> components(1);
+      int depth = 0;
+      for (const char c : expression)
+        {
+          depth += (c == '(') - (c == ')');
+          if (c == ';' || (c == ',' && depth == 0))
+            components.emplace_back();
+          else
+            components.back() += c;
+        }
+      return components;
+    }
+
+    /** Names of variables, constants and functions that occur in the expression. */
+    std::vector<std::string>
+    identifiers(const std::string &expression)
+    {
+      std::vector<std::string> names;
+      for (auto character = expression.begin(); character != expression.end();)
+        {
+          const auto end = std::find_if_not(character, expression.end(), [](const unsigned char c) {
+            return std::isalnum(c) || c == '_' || c == '.';
+          });
+          // What starts with a digit is a number, whose exponent (1e5) is no name.
+          if (end != character && !std::isdigit(static_cast<unsigned char>(*character)))
+            names.emplace_back(character, end);
+          character = std::max(end, character + 1);
+        }
+      return names;
+    }
+
+    bool
+    contains(const std::vector<std::string> &names, const std::string &name)
+    {
+      return std::find(names.begin(), names.end(), name) != names.end();
+    }
+
+    [[noreturn]] void
+    refuse(const std::string &subject, const std::string &expression, const std::string &complaint)
+    {
+      throw InputError(subject + ": '" + expression + "' " + complaint);
+    }
+
+    template <int dim>
+    std::string
+    advice()
+    {
+      return std::to_string(dim) +
+             " expressions of the time t [s], separated by semicolons, such as '" +
+             (dim == 3 ? "0.5; 0.5; 0.2 + 0.1*t" : "0.5; 0.2 + 0.1*t") + "'";
+    }
+
+    /** What deal.II says of an error, without the place in its source. */
+    std::string
+    reason(const dealii::ExceptionBase &error)
+    {
+      std::ostringstream stream;
+      error.print_info(stream);
+      std::string text = stream.str();
+      std::replace(text.begin(), text.end(), '\n', ' ');
+      const auto first = text.find_first_not_of(' ');
+      return first == std::string::npos
+               ? ""
+               : text.substr(first, text.find_last_not_of(' ') - first + 1);
+    }
+  } // namespace
+
+  /** Keeps the parser and its headers out of motion_script.h. */
+  template <int dim>
+  struct MotionScript<dim>::Implementation
+  {
+    dealii::FunctionParser<1> parser{dim};
+  };
+
+  template <int dim>
+  MotionScript<dim>::MotionScript(const std::string &expression, const std::string &subject)
+    : expression(expression)
+    , subject(subject)
+    , implementation(std::make_unique<Implementation>())
+  {
+    const std::vector<std::string> components = split_components(expression);
+    if (components.size() != dim)
+      refuse(subject,
+             expression,
+             "has " + std::to_string(components.size()) + " component" +
+               (components.size() == 1 ? "" : "s") + ", not " + std::to_string(dim) + ". Give " +
+               advice<dim>() + ".");
+
+    const std::vector<std::string> names = identifiers(expression);
+    constant                             = !contains(names, "t");
+    // Every rank would draw its own.
+    if (contains(names, "rand") || contains(names, "rand_seed"))
+      refuse(subject, expression, "draws random numbers. Give " + advice<dim>() + " alone.");
+
+    try
+      {
+        implementation->parser.initialize("t", components, {{"pi", constants::pi}});
+        // The parser reads the expressions only when it is asked for a value.
+        implementation->parser.value(dealii::Point<1>(0.));
+      }
+    catch (const dealii::ExceptionBase &error)
+      {
+        refuse(subject,
+               expression,
+               "cannot be read: " + reason(error) + " Give " + advice<dim>() + "; pi is known.");
+      }
+    value(0.);
+  }
+
+  template <int dim>
+  MotionScript<dim>::~MotionScript() = default;
+
+  template <int dim>
+  MotionScript<dim>::MotionScript(MotionScript &&) noexcept = default;
+
+  template <int dim>
+  MotionScript<dim> &
+  MotionScript<dim>::operator=(MotionScript &&) noexcept = default;
+
+  template <int dim>
+  Vector<dim>
+  MotionScript<dim>::value(const double time) const
+  {
+    Vector<dim> result;
+    for (int i = 0; i < dim; ++i)
+      {
+        result[i] = implementation->parser.value(dealii::Point<1>(time), i);
+        if (!std::isfinite(result[i]))
+          {
+            std::ostringstream when;
+            when << time;
+            refuse(subject,
+                   expression,
+                   "is not a finite number at t = " + when.str() + " s (component " +
+                     std::to_string(i + 1) + "). It must be one from t = 0 to the end of the run.");
+          }
+      }
+    return result;
+  }
+
+  template <int dim>
+  Vector<dim>
+  MotionScript<dim>::velocity(const double time) const
+  {
+    if (constant)
+      return {};
+    const double middle = std::max(time, half_interval);
+    const double before = middle - half_interval;
+    const double after  = middle + half_interval;
+    return (1. / (after - before)) * (value(after) - value(before));
+  }
+
+  template class MotionScript<2>;
+  template class MotionScript<3>;
+} // namespace magmpm

@@ -1,0 +1,62 @@
+#include <magmpm/base/exceptions.h>
+#include <magmpm/magnets/uniform_field.h>
+
+namespace magmpm
+{
+  template <int dim>
+  UniformField<dim>::UniformField(const SourceParameters<dim> &parameters)
+    : MagneticSource<dim>(parameters.name)
+    , field_script(parameters.field, "Field of source '" + parameters.name + "'")
+  {
+    if (parameters.contact != ContactCondition::none)
+      throw InputError("Source '" + parameters.name +
+                       "' is a uniform field, which has no surface, but has a contact condition. "
+                       "Only a magnetized sphere can be solid: set the contact to none.");
+    set_time(0.);
+  }
+
+  template <int dim>
+  void
+  UniformField<dim>::set_time(const double time)
+  {
+    current_field = field_script.value(time);
+  }
+
+  template <int dim>
+  Vector<dim>
+  UniformField<dim>::field(const Vector<dim> & /*point*/) const
+  {
+    return current_field;
+  }
+
+  template <int dim>
+  Matrix<dim>
+  UniformField<dim>::field_gradient(const Vector<dim> & /*point*/) const
+  {
+    return {};
+  }
+
+  template <int dim>
+  bool
+  UniformField<dim>::is_constant() const
+  {
+    return field_script.is_constant();
+  }
+
+  template <int dim>
+  Vector<dim>
+  UniformField<dim>::strength() const
+  {
+    return current_field;
+  }
+
+  template <int dim>
+  Vector<dim>
+  UniformField<dim>::centre() const
+  {
+    return {};
+  }
+
+  template class UniformField<2>;
+  template class UniformField<3>;
+} // namespace magmpm

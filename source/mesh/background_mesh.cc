@@ -1,0 +1,401 @@
+#include <deal.II/base/mpi.h>
+#include <deal.II/distributed/tria.h>
+#include <deal.II/grid/grid_generator.h>
+
+#include <magmpm/lattice/block_set.h>
+#include <magmpm/mesh/background_mesh.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <unordered_map>
+#include <unordered_set>
+
+namespace magmpm
+{
+  namespace
+  {
+    using BlockKeys = std::unordered_set<std::uint64_t>;
+
+    /** A box of root cells, each a cube of 2^root_level blocks. */
+    template <int dim>
+    struct PotentialBox
+    {
+      int        root_level = 0;
+      Index<dim> n_roots    = {};
+      Index<dim> lower      = {}; ///< block in the lower corner
+
+      Index<dim>
+      n_blocks() const
+      {
+        Index<dim> n;
+        for (int d = 0; d < dim; ++d)
+          n[d] = n_roots[d] << root_level;
+        return n;
+      }
+    };
+
+    /** The largest root cells that meet the shielded walls, then as few of them as suffice. */
+    template <int dim>
+    PotentialBox<dim>
+    potential_box(const Lattice<dim> &lattice, const MeshParameters<dim> &parameters)
+    {
+      PotentialBox<dim> box;
+      Index<dim>        needed, wall_to_wall;
+      for (int d = 0; d < dim; ++d)
+        {
+          wall_to_wall[d]  = lattice.n_cells[d] / block_edge;
+          const int n_open = parameters.carries_potential ?
+                               2 - parameters.shielded[2 * d] - parameters.shielded[2 * d + 1] :
+                               0;
+          needed[d]        = wall_to_wall[d];
+          if (n_open > 0)
+            needed[d] =
+              std::max(wall_to_wall[d] + 2 * n_open,
+                       static_cast<int>(std::ceil(wall_to_wall[d] * parameters.potential_box_factor)));
+          const bool fixed = parameters.carries_potential && n_open == 0;
+          int        level = 0;
+          while (fixed ? needed[d] % (2 << level) == 0 : (2 << level) <= needed[d])
+            ++level;
+          box.root_level = (d == 0 ? level : std::min(box.root_level, level));
+        }
+      for (int d = 0; d < dim; ++d)
+        box.n_roots[d] = ((needed[d] - 1) >> box.root_level) + 1;
+
+      const auto is_even = [](const int n) { return n % 2 == 0; };
+      while (std::all_of(box.n_roots.begin(), box.n_roots.end(), is_even))
+        {
+          ++box.root_level;
+          for (int &n : box.n_roots)
+            n /= 2;
+        }
+      for (int d = 0; d < dim; ++d)
+        {
+          const int  outside    = box.n_blocks()[d] - wall_to_wall[d];
+          const bool open_below = !(parameters.carries_potential && parameters.shielded[2 * d]);
+          const bool open_above = !(parameters.carries_potential && parameters.shielded[2 * d + 1]);
+          box.lower[d]          = (open_below ? (open_above ? -(outside / 2) : -outside) : 0);
+        }
+      return box;
+    }
+
+    /** All blocks at most @p distance blocks (in the maximum norm) from @p blocks. */
+    template <int dim>
+    std::vector<Index<dim>>
+    dilated(std::vector<Index<dim>> blocks, const int distance)
+    {
+      for (int d = 0; d < dim; ++d)
+        {
+          BlockKeys seen;
+          std::vector<Index<dim>>           wider;
+          for (const Index<dim> &block : blocks)
+            for (int shift = -distance; shift <= distance; ++shift)
+              {
+                Index<dim> moved = block;
+                moved[d] += shift;
+                if (seen.insert(block_key<dim>(moved)).second)
+                  wider.push_back(moved);
+              }
+          blocks = std::move(wider);
+        }
+      return blocks;
+    }
+  } // namespace
+
+  template <int dim>
+  struct BackgroundMesh<dim>::Implementation
+  {
+    using Tria         = dealii::parallel::distributed::Triangulation<dim>;
+    using CellIterator = typename dealii::Triangulation<dim>::cell_iterator;
+
+    Implementation(const MPI_Comm             communicator,
+                   const Lattice<dim>        &lattice,
+                   const MeshParameters<dim> &parameters);
+
+    /** The place of a cell of any level, in cells of its level from the corner of the box. */
+    Index<dim>
+    place(const CellIterator &cell) const;
+
+    /** Keys, by level, of the cells that hold one of the blocks. */
+    std::vector<BlockKeys>
+    ancestors(const std::vector<Index<dim>> &blocks) const;
+
+    bool
+    holds(const Index<dim> &block) const;
+
+    /** Whether all of these blocks (the same on all ranks) have cells of the finest level. */
+    bool
+    is_fine(const std::vector<Index<dim>> &blocks) const;
+
+    bool
+    refine_and_coarsen(const std::vector<BlockKeys> &refined,
+                       const std::vector<BlockKeys> *kept);
+
+    /** Particles of the most loaded rank over the mean. */
+    double
+    imbalance() const;
+
+    const Lattice<dim>      lattice;
+    const PotentialBox<dim> box;
+    const int               finest_level;
+    mutable Tria            triangulation;
+
+    /** Particles by block of all ranks, for the weights of cells. */
+    std::unordered_map<std::uint64_t, unsigned int> particles_in_block;
+    double                                          imbalance_after_partition = 0.;
+  };
+
+  template <int dim>
+  BackgroundMesh<dim>::Implementation::Implementation(const MPI_Comm             communicator,
+                                                      const Lattice<dim>        &lattice,
+                                                      const MeshParameters<dim> &parameters)
+    : lattice(lattice)
+    , box(potential_box(lattice, parameters))
+    , finest_level(box.root_level + (parameters.carries_potential ? 1 : 0))
+    , triangulation(communicator,
+                    dealii::Triangulation<dim>::limit_level_difference_at_vertices,
+                    typename Tria::Settings(Tria::construct_multigrid_hierarchy |
+                                            Tria::no_automatic_repartitioning |
+                                            Tria::communicate_vertices_to_p4est))
+  {
+    std::vector<unsigned int> repetitions(box.n_roots.begin(), box.n_roots.end());
+    dealii::Point<dim>        lower, upper;
+    Index<dim>                lower_node;
+    for (int d = 0; d < dim; ++d)
+      lower_node[d] = block_edge * box.lower[d];
+    const Vector<dim> corner = lattice.node_position(lower_node);
+    for (int d = 0; d < dim; ++d)
+      {
+        lower[d] = corner[d];
+        upper[d] = corner[d] + lattice.spacing * block_edge * box.n_blocks()[d];
+      }
+    // Colorized: boundary ids 2 d and 2 d + 1 on the lower and upper face of direction d.
+    dealii::GridGenerator::subdivided_hyper_rectangle(triangulation, repetitions, lower, upper, true);
+
+    // What a cell costs its rank, in units of a thousandth of the cost of a cell of the potential
+    // problem; a particle costs about 0.03 of it.
+    const double cell_weight     = (parameters.carries_potential ? 1000. : 1.);
+    const double particle_weight = 30.;
+    triangulation.signals.weight.connect(
+      [this, cell_weight, particle_weight](const CellIterator &cell, const auto) {
+        double    particles = 0.;
+        const int level     = cell->level();
+        if (level >= box.root_level)
+          {
+            Index<dim> block = place(cell);
+            for (int d = 0; d < dim; ++d)
+              block[d] = (block[d] >> (level - box.root_level)) + box.lower[d];
+            const auto found = particles_in_block.find(block_key<dim>(block));
+            if (found != particles_in_block.end())
+              particles = found->second / std::pow(2., dim * (level - box.root_level));
+          }
+        return static_cast<unsigned int>(cell_weight + particle_weight * particles);
+      });
+  }
+
+  template <int dim>
+  Index<dim>
+  BackgroundMesh<dim>::Implementation::place(const CellIterator &cell) const
+  {
+    Vector<dim> corner;
+    for (int d = 0; d < dim; ++d)
+      corner[d] = cell->vertex(0)[d];
+    Index<dim> node = lattice.nearest_node(corner);
+    // An edge of the finest cells of level root_level + 1 is half a block, two nodes.
+    const int cells_per_half_block = box.root_level + 1 - cell->level();
+    for (int d = 0; d < dim; ++d)
+      node[d] = ((node[d] - block_edge * box.lower[d]) / 2) >> cells_per_half_block;
+    return node;
+  }
+
+  template <int dim>
+  std::vector<BlockKeys>
+  BackgroundMesh<dim>::Implementation::ancestors(const std::vector<Index<dim>> &blocks) const
+  {
+    std::vector<BlockKeys> keys(box.root_level + 1);
+    for (const Index<dim> &block : blocks)
+      if (holds(block))
+        for (int level = 0; level <= box.root_level; ++level)
+          {
+            Index<dim> ancestor;
+            for (int d = 0; d < dim; ++d)
+              ancestor[d] = (block[d] - box.lower[d]) >> (box.root_level - level);
+            keys[level].insert(block_key<dim>(ancestor));
+          }
+    return keys;
+  }
+
+  template <int dim>
+  bool
+  BackgroundMesh<dim>::Implementation::holds(const Index<dim> &block) const
+  {
+    const Index<dim> n_blocks = box.n_blocks();
+    for (int d = 0; d < dim; ++d)
+      if (block[d] < box.lower[d] || block[d] >= box.lower[d] + n_blocks[d])
+        return false;
+    return true;
+  }
+
+  template <int dim>
+  bool
+  BackgroundMesh<dim>::Implementation::is_fine(const std::vector<Index<dim>> &blocks) const
+  {
+    BlockKeys needed;
+    for (const Index<dim> &block : blocks)
+      if (holds(block))
+        needed.insert(block_key<dim>(block));
+
+    BlockKeys owned;
+    for (const auto &cell : triangulation.active_cell_iterators())
+      if (cell->is_locally_owned() && cell->level() == finest_level)
+        {
+          Index<dim> block = place(cell);
+          for (int d = 0; d < dim; ++d)
+            block[d] = (block[d] >> (finest_level - box.root_level)) + box.lower[d];
+          if (needed.count(block_key<dim>(block)) > 0)
+            owned.insert(block_key<dim>(block));
+        }
+    const std::size_t found =
+      dealii::Utilities::MPI::sum(owned.size(), triangulation.get_communicator());
+    return found == needed.size();
+  }
+
+  template <int dim>
+  bool
+  BackgroundMesh<dim>::Implementation::refine_and_coarsen(
+    const std::vector<BlockKeys> &refined,
+    const std::vector<BlockKeys> *kept)
+  {
+    bool any = false;
+    for (const auto &cell : triangulation.active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          const int  level  = cell->level();
+          Index<dim> parent = place(cell);
+          if (level < finest_level && refined[level].count(block_key<dim>(parent)) > 0)
+            {
+              cell->set_refine_flag();
+              any = true;
+            }
+          else if (kept != nullptr && level > 0)
+            {
+              for (int d = 0; d < dim; ++d)
+                parent[d] >>= 1;
+              if ((*kept)[level - 1].count(block_key<dim>(parent)) == 0)
+                {
+                  cell->set_coarsen_flag();
+                  any = true;
+                }
+            }
+        }
+    any = dealii::Utilities::MPI::max(static_cast<int>(any), triangulation.get_communicator()) > 0;
+    if (any)
+      triangulation.execute_coarsening_and_refinement();
+    return any;
+  }
+
+  template <int dim>
+  double
+  BackgroundMesh<dim>::Implementation::imbalance() const
+  {
+    double load = 0.;
+    for (const auto &cell : triangulation.active_cell_iterators())
+      if (cell->is_locally_owned() && cell->level() >= box.root_level)
+        {
+          Index<dim> block = place(cell);
+          for (int d = 0; d < dim; ++d)
+            block[d] = (block[d] >> (cell->level() - box.root_level)) + box.lower[d];
+          const auto found = particles_in_block.find(block_key<dim>(block));
+          if (found != particles_in_block.end())
+            load += found->second;
+        }
+    const auto loads =
+      dealii::Utilities::MPI::min_max_avg(load, triangulation.get_communicator());
+    return loads.avg > 0. ? loads.max / loads.avg : 1.;
+  }
+
+  template <int dim>
+  BackgroundMesh<dim>::BackgroundMesh(const MPI_Comm             communicator,
+                                      const Lattice<dim>        &lattice,
+                                      const MeshParameters<dim> &parameters)
+    : the_communicator(communicator)
+    , the_lattice(lattice)
+    , the_parameters(parameters)
+    , implementation(std::make_unique<Implementation>(communicator, lattice, parameters))
+  {}
+
+  template <int dim>
+  BackgroundMesh<dim>::~BackgroundMesh() = default;
+
+  template <int dim>
+  bool
+  BackgroundMesh<dim>::adapt(const std::vector<Index<dim>>   &local_blocks,
+                             const std::vector<unsigned int> &local_weights)
+  {
+    Implementation &mesh = *implementation;
+
+    // Every rank flags its own cells, so each has to know all blocks: 12 bytes per 512 particles.
+    std::vector<Index<dim>> blocks;
+    for (const auto &of_rank : dealii::Utilities::MPI::all_gather(the_communicator, local_blocks))
+      blocks.insert(blocks.end(), of_rank.begin(), of_rank.end());
+    mesh.particles_in_block.clear();
+    std::size_t b = 0;
+    for (const auto &of_rank : dealii::Utilities::MPI::all_gather(the_communicator, local_weights))
+      for (const unsigned int weight : of_rank)
+        mesh.particles_in_block[block_key<dim>(blocks[b++])] += weight;
+
+    const double tolerated_imbalance = 1.2;
+    const bool   is_fine             = mesh.is_fine(dilated<dim>(blocks, 1));
+    const double imbalance           = mesh.imbalance();
+    if (is_fine &&
+        imbalance <= std::max(tolerated_imbalance, 1.1 * mesh.imbalance_after_partition))
+      return false;
+
+    if (!is_fine)
+      {
+        const int  reach   = 1 + the_parameters.band_width;
+        const auto refined = mesh.ancestors(dilated<dim>(blocks, reach));
+        const auto kept    = mesh.ancestors(dilated<dim>(blocks, 2 * reach));
+        // Coarsening only once, or 2:1 balance and coarsening could undo each other for ever.
+        mesh.refine_and_coarsen(refined, &kept);
+        while (mesh.refine_and_coarsen(refined, nullptr))
+          ;
+      }
+    mesh.triangulation.repartition();
+    mesh.imbalance_after_partition = mesh.imbalance();
+    ++the_revision;
+    return true;
+  }
+
+  template <int dim>
+  std::vector<unsigned int>
+  BackgroundMesh<dim>::owners(const std::vector<Index<dim>> &blocks) const
+  {
+    // The first cell of a block in Morton order is the one at its lower corner; a point a quarter
+    // of the smallest cell inside belongs to it however the block is refined.
+    const Index<dim>                n_blocks = implementation->box.n_blocks();
+    std::vector<dealii::Point<dim>> points(blocks.size());
+    for (std::size_t b = 0; b < blocks.size(); ++b)
+      {
+        Index<dim> node;
+        for (int d = 0; d < dim; ++d)
+          {
+            const int lowest = implementation->box.lower[d];
+            node[d] = block_edge * std::clamp(blocks[b][d], lowest, lowest + n_blocks[d] - 1);
+          }
+        const Vector<dim> corner = the_lattice.node_position(node);
+        for (int d = 0; d < dim; ++d)
+          points[b][d] = corner[d] + 0.25 * the_lattice.spacing;
+      }
+    return implementation->triangulation.find_point_owner_rank(points);
+  }
+
+  template <int dim>
+  const typename BackgroundMesh<dim>::Triangulation &
+  BackgroundMesh<dim>::triangulation() const
+  {
+    return implementation->triangulation;
+  }
+
+  template class BackgroundMesh<2>;
+  template class BackgroundMesh<3>;
+} // namespace magmpm

@@ -1,0 +1,96 @@
+#include <magmpm/particles/particle_set.h>
+
+namespace magmpm
+{
+  template <int dim>
+  ParticleSet<dim>::ParticleSet(const bool stores_deformation_gradient, const bool is_magnetic)
+    : component_counts{dim,
+                       dim,
+                       dim * dim,
+                       stores_deformation_gradient ? dim * dim : 1,
+                       1,
+                       1,
+                       is_magnetic ? dim : 0,
+                       is_magnetic ? dim : 0}
+  {
+    int n = 0;
+    for (int q = 0; q < n_particle_quantities; ++q)
+      {
+        first_component[q] = n;
+        n += component_counts[q];
+      }
+    components.resize(n);
+  }
+
+  template <int dim>
+  void
+  ParticleSet<dim>::resize(const std::size_t n_particles)
+  {
+    identities.resize(n_particles);
+    for (auto &component : components)
+      component.resize(n_particles);
+  }
+
+  template <int dim>
+  ParticleArrays<dim>
+  ParticleSet<dim>::arrays()
+  {
+    ParticleArrays<dim> arrays = {};
+    const auto          assign = [this](const ParticleQuantity quantity, double **pointers) {
+      for (int c = 0; c < n_components(quantity); ++c)
+        pointers[c] = component(quantity, c);
+    };
+    assign(ParticleQuantity::position, arrays.position);
+    assign(ParticleQuantity::velocity, arrays.velocity);
+    assign(ParticleQuantity::affine_velocity, arrays.affine_velocity);
+    assign(ParticleQuantity::deformation, arrays.deformation);
+    assign(ParticleQuantity::mass, &arrays.mass);
+    assign(ParticleQuantity::volume, &arrays.volume);
+    assign(ParticleQuantity::magnetic_acceleration, arrays.magnetic_acceleration);
+    assign(ParticleQuantity::magnetic_field, arrays.magnetic_field);
+    return arrays;
+  }
+
+  template <int dim>
+  void
+  ParticleSet<dim>::append_record(const std::size_t p, std::vector<double> &records) const
+  {
+    // Identities stay far below 2^53, so that a double holds them exactly.
+    records.push_back(static_cast<double>(identities[p]));
+    for (const auto &component : components)
+      records.push_back(component[p]);
+  }
+
+  template <int dim>
+  void
+  ParticleSet<dim>::append_from_records(const std::vector<double> &records)
+  {
+    for (std::size_t r = 0; r < records.size();)
+      {
+        identities.push_back(static_cast<std::uint64_t>(records[r++]));
+        for (auto &component : components)
+          component.push_back(records[r++]);
+      }
+  }
+
+  template <int dim>
+  void
+  ParticleSet<dim>::reorder(const std::vector<std::uint32_t> &order)
+  {
+    reordered.resize(order.size());
+    for (auto &component : components)
+      {
+        for (std::size_t i = 0; i < order.size(); ++i)
+          reordered[i] = component[order[i]];
+        component.swap(reordered);
+        reordered.resize(order.size());
+      }
+    std::vector<std::uint64_t> ids(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i)
+      ids[i] = identities[order[i]];
+    identities.swap(ids);
+  }
+
+  template class ParticleSet<2>;
+  template class ParticleSet<3>;
+} // namespace magmpm

@@ -1,0 +1,187 @@
+// Written particles, read back by VTK. VTK is what ParaView reads with, so what it finds is what a
+// user sees: as many vertices as all ranks have particles, with the values they were given.
+
+#include <magmpm/io/particle_output.h>
+
+#include "catch.h"
+#include <vtkDataArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLPUnstructuredGridReader.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+using namespace magmpm;
+
+namespace
+{
+  int
+  rank_of_this_process()
+  {
+    int rank;
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+    return rank;
+  }
+
+  int
+  n_processes()
+  {
+    int size;
+    MPI_Comm_size(MPI_COMM_WORLD, &size);
+    return size;
+  }
+
+  /** An empty folder of the test's own, seen by all ranks. */
+  std::string
+  fresh_folder(const std::string &name)
+  {
+    if (rank_of_this_process() == 0)
+      {
+        std::filesystem::remove_all(name);
+        std::filesystem::create_directories(name);
+      }
+    MPI_Barrier(MPI_COMM_WORLD);
+    return name;
+  }
+
+  std::string
+  contents(const std::string &path)
+  {
+    std::ifstream      file(path);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+  }
+
+  /** Values that can be told from the position: v = 2 x (a vector), J = x + 3 y (a scalar). */
+  template <int dim>
+  std::vector<ParticleQuantity>
+  quantities_at(const std::vector<Vector<dim>> &positions)
+  {
+    ParticleQuantity velocity = {"velocity", "m/s", dim, {}}, J = {"J", "-", 1, {}};
+    for (const Vector<dim> &x : positions)
+      {
+        for (int d = 0; d < dim; ++d)
+          velocity.values.push_back(2. * x[d]);
+        J.values.push_back(x[0] + 3. * x[1]);
+      }
+    return {velocity, J};
+  }
+
+  template <int dim>
+  std::vector<Vector<dim>>
+  positions_on_a_curve(const int n, const int rank)
+  {
+    std::vector<Vector<dim>> positions(n);
+    for (int p = 0; p < n; ++p)
+      for (int d = 0; d < dim; ++d)
+        positions[p][d] = std::sin(1. + p + 100 * rank + 10 * d);
+    return positions;
+  }
+
+  vtkNew<vtkXMLPUnstructuredGridReader>
+  read_frame(const std::string &path)
+  {
+    vtkNew<vtkXMLPUnstructuredGridReader> reader;
+    reader->SetFileName(path.c_str());
+    reader->Update();
+    return reader;
+  }
+
+  template <int dim>
+  void
+  check_that_values_fit_positions(vtkUnstructuredGrid *grid)
+  {
+    vtkDataArray *velocity = grid->GetPointData()->GetArray("velocity [m/s]");
+    vtkDataArray *J        = grid->GetPointData()->GetArray("J [-]");
+    REQUIRE(velocity != nullptr);
+    REQUIRE(J != nullptr);
+    REQUIRE(velocity->GetNumberOfComponents() == 3);
+    REQUIRE(J->GetNumberOfComponents() == 1);
+
+    double worst = 0.;
+    for (vtkIdType p = 0; p < grid->GetNumberOfPoints(); ++p)
+      {
+        double x[3];
+        grid->GetPoint(p, x);
+        for (int d = 0; d < 3; ++d)
+          worst = std::max(worst, std::abs(velocity->GetComponent(p, d) - 2. * x[d]));
+        worst = std::max(worst, std::abs(J->GetComponent(p, 0) - (x[0] + 3. * x[1])));
+      }
+    CHECK(worst < 1e-6); // single precision of values up to 4
+  }
+} // namespace
+
+TEMPLATE_TEST_CASE_SIG("written particles are read back by VTK",
+                       "[io][mpi]",
+                       ((int dim), dim),
+                       2,
+                       3)
+{
+  // Each rank writes particles with values that follow from their positions, the last rank of
+  // several none at all. VTK must find all of them in one file, with real vectors in 2D too.
+  const int         rank = rank_of_this_process(), n_ranks = n_processes();
+  const bool        is_empty = (n_ranks > 1 && rank == n_ranks - 1);
+  const std::string folder   = fresh_folder("test-particle_output-" + std::to_string(dim) + "d");
+
+  const auto positions = positions_on_a_curve<dim>(is_empty ? 0 : 7 + rank, rank);
+  ParticleOutput<dim> output(MPI_COMM_WORLD, folder);
+  output.write_frame(3, 0.006, positions, quantities_at(positions));
+
+  int n_particles = positions.size();
+  MPI_Allreduce(MPI_IN_PLACE, &n_particles, 1, MPI_INT, MPI_SUM, MPI_COMM_WORLD);
+  if (rank == 0)
+    {
+      CHECK(std::filesystem::exists(folder + "/particles/particles_0003.0.vtu"));
+      const auto           reader = read_frame(folder + "/particles/particles_0003.pvtu");
+      vtkUnstructuredGrid *grid   = reader->GetOutput();
+      CHECK(grid->GetNumberOfPoints() == n_particles);
+      CHECK(grid->GetNumberOfCells() == n_particles);
+      check_that_values_fit_positions<dim>(grid);
+    }
+  MPI_Barrier(MPI_COMM_WORLD);
+}
+
+TEST_CASE("a frame without any particle is a file that VTK reads", "[io][mpi]")
+{
+  // All particles have left the box: no rank has any. VTK must read an empty grid that still
+  // names its quantities, and say nothing.
+  const std::string        folder = fresh_folder("test-particle_output-empty");
+  const std::vector<Vector<3>> positions;
+  ParticleOutput<3>            output(MPI_COMM_WORLD, folder);
+  output.write_frame(0, 0., positions, quantities_at(positions));
+
+  if (rank_of_this_process() == 0)
+    {
+      const auto reader = read_frame(folder + "/particles/particles_0000.pvtu");
+      CHECK(reader->GetErrorCode() == 0);
+      CHECK(reader->GetOutput()->GetNumberOfPoints() == 0);
+    }
+  MPI_Barrier(MPI_COMM_WORLD);
+}
+
+TEST_CASE("particles.pvd lists all frames so far", "[io][mpi]")
+{
+  // After each frame the record names that frame and all before it, with their times to all digits
+  // ParaView can use, and no half-written record lies beside it.
+  const std::string folder    = fresh_folder("test-particle_output-pvd");
+  const auto        positions = positions_on_a_curve<3>(2, rank_of_this_process());
+  ParticleOutput<3> output(MPI_COMM_WORLD, folder);
+  output.write_frame(0, 0., positions, quantities_at(positions));
+  output.write_frame(1, 0.0020001, positions, quantities_at(positions));
+
+  if (rank_of_this_process() == 0)
+    {
+      const std::string record = contents(folder + "/particles.pvd");
+      CHECK_THAT(record, Catch::Contains("timestep=\"0\""));
+      CHECK_THAT(record, Catch::Contains("file=\"particles/particles_0000.pvtu\""));
+      CHECK_THAT(record, Catch::Contains("timestep=\"0.0020001\""));
+      CHECK_THAT(record, Catch::Contains("file=\"particles/particles_0001.pvtu\""));
+      CHECK_FALSE(std::filesystem::exists(folder + "/particles.pvd.unfinished"));
+    }
+  MPI_Barrier(MPI_COMM_WORLD);
+}

@@ -1,0 +1,42 @@
+// The main function of the test programs: every test may use MPI, with any number of ranks.
+
+#define CATCH_CONFIG_RUNNER
+#include "catch.h"
+
+#include <deal.II/base/mpi.h>
+
+#include <iostream>
+#include <sstream>
+
+namespace
+{
+  /**
+   * Runs the tests chosen on the command line. Rank 0 reports as Catch2 does; of the other ranks
+   * only those with a failure are heard.
+   */
+  int
+  run_tests(int argc, char **argv, const unsigned int rank)
+  {
+    std::ostringstream report;
+    std::streambuf *terminal = std::cout.rdbuf();
+    if (rank > 0)
+      std::cout.rdbuf(report.rdbuf());
+
+    const int result = Catch::Session().run(argc, argv);
+
+    std::cout.rdbuf(terminal);
+    if (rank > 0 && result != 0)
+      std::cerr << "rank " << rank << ":\n" << report.str() << std::flush;
+    return result;
+  }
+} // namespace
+
+int
+main(int argc, char **argv)
+{
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+
+  const unsigned int rank = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
+  const int result        = run_tests(argc, argv, rank);
+  return dealii::Utilities::MPI::max(result, MPI_COMM_WORLD);
+}
