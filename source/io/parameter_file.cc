@@ -142,6 +142,8 @@ namespace magmpm
       if (equal == std::string::npos || name.empty())
         throw InputError(origin + ": cannot understand this; write --set \"Section/Name=value\", "
                                   "such as --set \"Bodies/cube/Density=1000\".");
+      if (override.find('#') != std::string::npos)
+        throw InputError(origin + ": '#' starts a comment and cannot be part of a value.");
       return {slash == std::string::npos ? "" : path.substr(0, slash),
               name,
               single_spaced(override.substr(equal + 1)),

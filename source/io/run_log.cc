@@ -1,8 +1,7 @@
 #include <magmpm/base/exceptions.h>
+#include <magmpm/base/version.h>
 #include <magmpm/io/number_text.h>
 #include <magmpm/io/run_log.h>
-
-#include <deal.II/base/config.h>
 
 #include <cmath>
 #include <cstdio>
@@ -130,10 +129,9 @@ namespace magmpm
   }
 
   void
-  RunLog::header(const std::string &version, const Scene &scene)
+  RunLog::header(const Scene &scene)
   {
-    *both << version << ", " << software_versions() << ", " << n_ranks
-          << (n_ranks == 1 ? " rank" : " ranks") << '\n'
+    *both << version_string() << ", " << n_ranks << (n_ranks == 1 ? " rank" : " ranks") << '\n'
           << "  " << scene.dimension
           << "D, lattice dx = " << with_prefix(scene.lattice_spacing, "m") << ", "
           << with_separators(scene.n_particles) << " particles, ";
@@ -145,6 +143,10 @@ namespace magmpm
     for (const Body &body : scene.bodies)
       *both << "  " << body.name << ": " << mechanics_of(body) << "; " << magnetics_of(body)
             << '\n';
+#ifdef DEBUG
+    warning("this is a DEBUG build: it checks itself and is many times slower. For results, build "
+            "a Release (cmake -DCMAKE_BUILD_TYPE=Release).");
+#endif
     *both << std::flush;
 
     // What came before (seeding, the first mesh) shall not count as part of the first frame.
@@ -217,25 +219,5 @@ namespace magmpm
       if (std::filesystem::exists(std::filesystem::path(directory) / name))
         *both << "  " << std::left << std::setw(16) << name << meaning << '\n';
     *both << std::right << std::flush;
-  }
-
-  std::string
-  software_versions()
-  {
-    std::ostringstream text;
-    text << "deal.II " << DEAL_II_PACKAGE_VERSION;
-#ifdef DEAL_II_WITH_TRILINOS
-    text << ", Trilinos " << DEAL_II_TRILINOS_VERSION_MAJOR << '.'
-         << DEAL_II_TRILINOS_VERSION_MINOR;
-#endif
-#ifdef DEAL_II_WITH_P4EST
-    text << ", p4est " << DEAL_II_P4EST_VERSION_MAJOR << '.' << DEAL_II_P4EST_VERSION_MINOR;
-#endif
-#ifdef DEBUG // deal.II's switch: its assertions are on
-    text << ", DEBUG";
-#else
-    text << ", RELEASE";
-#endif
-    return text.str();
   }
 } // namespace magmpm

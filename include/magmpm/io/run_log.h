@@ -69,13 +69,9 @@ namespace magmpm
            std::ostream &terminal);
     ~RunLog();
 
-    /**
-     * The first lines: versions (software_versions()), lattice and particles, bodies.
-     *
-     * @param version  name, version and commit of the program: "magmpm 0.1.0 (3f2c1ab)".
-     */
+    /** The first lines: versions (version_string()), ranks, lattice and particles, bodies. */
     void
-    header(const std::string &version, const Scene &scene);
+    header(const Scene &scene);
 
     /** One line on a frame, with the wall time per frame and an estimate of what is left. */
     void
@@ -126,8 +122,4 @@ namespace magmpm
     const Clock::time_point start;
     std::deque<Clock::time_point> frame_ends; ///< of recent frames, and the end before them
   };
-
-  /** "deal.II 9.4.1, Trilinos 13.2.0, p4est 2.2, RELEASE": what this program was built with. */
-  std::string
-  software_versions();
 } // namespace magmpm

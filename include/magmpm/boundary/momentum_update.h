@@ -1,0 +1,25 @@
+#pragma once
+
+#include <magmpm/boundary/lattice_boundary.h>
+#include <magmpm/lattice/block_set.h>
+#include <magmpm/lattice/node_field.h>
+
+namespace magmpm
+{
+  /**
+   * Momentum to velocity on the owned nodes, Eqs. (33), (34): v_i = (m v)_i/m_i + dt g, then the
+   * boundaries. The impulses of stress and magnetic force are in the momentum already. A node whose
+   * mass is below 1e-12 of @p typical_mass is left at rest: what it could give to a particle is
+   * below rounding.
+   *
+   * @param field  {momentum [kg m/s], mass [kg]}, becomes {velocity [m/s], mass [kg]}.
+   */
+  template <int dim>
+  void
+  update_lattice_momentum(const BlockSet<dim>        &blocks,
+                          const LatticeBoundary<dim> &boundary,
+                          const Vector<dim>          &gravity,
+                          const double                time_step,
+                          const double                typical_mass,
+                          NodeField<dim>             &field);
+} // namespace magmpm

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <deal.II/base/symmetric_tensor.h>
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/matrix_free/fe_evaluation.h>
+#include <deal.II/matrix_free/operators.h>
+
+#include <magmpm/magnetics/cell_stencil.h>
+#include <magmpm/magnetics/potential_space.h>
+
+#include <functional>
+
+namespace magmpm
+{
+  /**
+   * The Jacobian of the potential problem, without a matrix:
+   *   a(u, v) = int grad v . K grad u  +  sum_K v^T R_K u,   K = I + dM/dH,
+   * K symmetric positive definite at every quadrature point, R_K the element matrices of the open
+   * boundary (OpenBoundary). K is stored only for batches of cells that hold material, R_K for those at
+   * the boundary; elsewhere K = I costs nothing. In double on the active cells (CG) and in float on
+   * the levels of multigrid; for any number of SIMD lanes.
+   */
+  template <int dim, typename Number>
+  class PotentialOperator
+    : public dealii::MatrixFreeOperators::Base<dim,
+                                               dealii::LinearAlgebra::distributed::Vector<Number>>
+  {
+  public:
+    using VectorType = dealii::LinearAlgebra::distributed::Vector<Number>;
+    using Lanes      = dealii::VectorizedArray<Number>;
+    using Evaluation =
+      dealii::FEEvaluation<dim, potential_degree, n_points_1d, 1, Number, Lanes>;
+
+    static constexpr unsigned int n_cell_dofs = Evaluation::static_dofs_per_cell;
+
+    /** The n_points<dim> tensors of a cell (batch, lane), or a null pointer where K = I. */
+    using CellPermeability =
+      std::function<const dealii::SymmetricTensor<2, dim> *(const unsigned int, const unsigned int)>;
+
+    /** The element matrix of a cell (batch, lane), lexicographic, or a null pointer. */
+    using CellMatrix =
+      std::function<const dealii::FullMatrix<double> *(const unsigned int, const unsigned int)>;
+
+    void
+    set_permeability(const CellPermeability &permeability);
+
+    void
+    set_boundary_matrices(const CellMatrix &matrices);
+
+    /** The inverse of the diagonal, for get_matrix_diagonal_inverse(). */
+    void
+    compute_diagonal() override;
+
+    void
+    clear() override;
+
+    /** The element matrices at the boundary times the values of a cell: R_K u, or zero. */
+    void
+    boundary_product(const unsigned int batch, const Lanes *values, Lanes *product) const;
+
+    bool
+    has_boundary_matrix(const unsigned int batch) const
+    {
+      return first_matrix[batch] != invalid_entry;
+    }
+
+  private:
+    std::vector<unsigned int> first_tensor; ///< in tensors, by batch; invalid_entry: K = I
+    std::vector<unsigned int> first_matrix; ///< in matrices, by batch; invalid_entry: none
+
+    dealii::AlignedVector<dealii::SymmetricTensor<2, dim, Lanes>> tensors;
+    dealii::AlignedVector<Lanes>                                  matrices;
+
+    void
+    apply_to_cell(Evaluation &u) const;
+
+    void
+    apply_add(VectorType &dst, const VectorType &src) const override;
+  };
+} // namespace magmpm

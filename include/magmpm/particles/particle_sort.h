@@ -1,0 +1,39 @@
+#pragma once
+
+#include <magmpm/lattice/block_set.h>
+#include <magmpm/particles/body.h>
+
+#include <vector>
+
+namespace magmpm
+{
+  /** Blocks and the number of particles in each. */
+  template <int dim>
+  struct OccupiedBlocks
+  {
+    std::vector<Index<dim>>   blocks; ///< sorted
+    std::vector<unsigned int> n_particles;
+  };
+
+  /** The blocks of the base nodes of this rank's particles. */
+  template <int dim>
+  OccupiedBlocks<dim>
+  occupied_blocks(const std::vector<Body<dim>> &bodies, const Lattice<dim> &lattice);
+
+  /**
+   * Brings the particles of a body into the order of the blocks' slots, within a block into that of
+   * the cells, and notes the runs. All particles must lie in owned blocks.
+   */
+  template <int dim>
+  void
+  sort_into_blocks(const BlockSet<dim> &blocks, const Lattice<dim> &lattice, Body<dim> &body);
+
+  /**
+   * Removes particles that are more than one cell beyond a wall (or nowhere: not a number).
+   *
+   * @return how many.
+   */
+  template <int dim>
+  std::size_t
+  remove_lost_particles(const Lattice<dim> &lattice, Body<dim> &body);
+} // namespace magmpm

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <magmpm/lattice/lattice.h>
+#include <magmpm/particles/body.h>
+
+namespace magmpm
+{
+  /**
+   * Sums and extremes over the particles of a body; those of ranks and bodies can be combined. In
+   * 2D everything is per metre of depth.
+   */
+  template <int dim>
+  struct ParticleSums
+  {
+    double      n_particles          = 0.;
+    double      mass                 = 0.; ///< [kg]
+    double      kinetic_energy       = 0.; ///< sum of m |v|^2/2 [J]
+    double      elastic_energy       = 0.; ///< sum of V_0 psi [J]
+    double      gravitational_energy = 0.; ///< -sum of m g.x [J]
+    Vector<dim> momentum;                  ///< [kg m/s]
+    Vector<dim> mass_times_position;       ///< [kg m]
+
+    /** About the origin, with the part of the affine velocities: m dx^2/4 times their curl [J s]. */
+    Vector<n_axial_components<dim>> angular_momentum;
+
+    Vector<dim> magnetic_force;  ///< sum of m a, carried since the last solve [N]
+    Vector<dim> magnetic_moment; ///< sum of J V_0 M, M from H at the last solve [A m^2]
+
+    double max_speed         = 0.; ///< [m/s]
+    double min_volume_ratio  = 1e300;
+    double max_volume_ratio  = 0.;
+    double max_field         = 0.; ///< |H| [A/m]
+    double max_magnetization = 0.; ///< |M| [A/m]
+
+    /** The force of magnets on a particle over its mass, at most [m/s^2]. */
+    double max_magnetic_acceleration = 0.;
+    /** sqrt(mu_0 |M|^2/rho), the speed of the waves that magnetization adds, at most [m/s]. */
+    double max_magnetic_wave_speed = 0.;
+
+    ParticleSums &
+    operator+=(const ParticleSums &other);
+  };
+
+  template <int dim>
+  ParticleSums<dim>
+  particle_sums(const Body<dim>       &body,
+                const Lattice<dim>    &lattice,
+                const Vector<dim>     &gravity,
+                const MagnetizationLaw law);
+
+  /** M [A/m] of a particle in the field H of the last solve: its grains in its present volume. */
+  template <int dim>
+  Vector<dim>
+  particle_magnetization(const Body<dim> &body, const MagnetizationLaw law, const std::size_t p);
+
+  /** J of a particle. */
+  template <int dim>
+  double
+  particle_volume_ratio(const Body<dim> &body, const std::size_t p);
+
+  /** Von Mises stress of a particle [Pa]. */
+  template <int dim>
+  double
+  particle_von_mises_stress(const Body<dim> &body, const std::size_t p);
+} // namespace magmpm

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <magmpm/lattice/lattice.h>
+#include <magmpm/particles/body.h>
+
+#include <string>
+
+namespace magmpm
+{
+  /**
+   * Fills a body's shape with particles: n per edge of each lattice cell, regular or jittered, each
+   * with the volume dx^dim/n^dim and at rest or in the body's motion. Positions, jitter and ids are
+   * functions of the place on the lattice alone; ranks share the work by rows of places, so that
+   * all of them together seed the same particles whatever their number.
+   *
+   * @param body_number  makes ids of different bodies different.
+   */
+  template <int dim>
+  void
+  seed_particles(const BodyParameters<dim> &parameters,
+                 const Lattice<dim>        &lattice,
+                 const unsigned int         body_number,
+                 const unsigned int         rank,
+                 const unsigned int         n_ranks,
+                 Body<dim>                 &body);
+
+  /** Whether a point lies in the body's shape. */
+  template <int dim>
+  bool
+  is_inside(const BodyParameters<dim> &parameters, const Vector<dim> &point);
+
+  /** The smallest box around the body's shape. */
+  template <int dim>
+  struct BoundingBox
+  {
+    Vector<dim> lower, upper;
+  };
+
+  template <int dim>
+  BoundingBox<dim>
+  bounding_box(const BodyParameters<dim> &parameters);
+} // namespace magmpm

@@ -1,0 +1,463 @@
+#include <magmpm/io/parameter_names.h>
+#include <magmpm/io/parameter_register.h>
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <locale>
+#include <sstream>
+
+namespace magmpm
+{
+  namespace
+  {
+    std::string
+    to_text(const double number)
+    {
+      std::ostringstream text;
+      text.imbue(std::locale::classic());
+      text.precision(15);
+      text << number;
+      return text.str();
+    }
+
+    std::vector<std::string>
+    split_at_commas(const std::string &text)
+    {
+      return dealii::Utilities::split_string_list(text, ',');
+    }
+
+    /** All of @p text as a number; false if it is none. */
+    bool
+    read_number(const std::string &text, double &number)
+    {
+      std::istringstream stream(text);
+      stream.imbue(std::locale::classic());
+      return static_cast<bool>(stream >> number) && (stream >> std::ws).eof();
+    }
+
+    std::string
+    join(const std::string &section, const std::string &name)
+    {
+      return section.empty() ? name : section + "/" + name;
+    }
+
+    std::string
+    in_subsection(const std::string &section)
+    {
+      return section.empty() ? " outside of all subsections" : " in subsection " + section;
+    }
+
+    /** What is allowed, in the words of a message. */
+    std::string
+    must_be(const DeclaredParameter &parameter)
+    {
+      return "must be " + parameter.range +
+             (parameter.unit == "-" ? "" : " [" + parameter.unit + "]");
+    }
+
+    /** Numbers in a range, separated by commas; ParameterHandler has no excluded limits. */
+    class NumberPattern : public dealii::Patterns::PatternBase
+    {
+    public:
+      NumberPattern(const NumberRange &range, const int n, const bool integer, const bool may_be_empty)
+        : range(range)
+        , n(n)
+        , integer(integer)
+        , may_be_empty(may_be_empty)
+      {}
+
+      bool
+      match(const std::string &text) const override
+      {
+        if (may_be_empty && text.empty())
+          return true;
+        const std::vector<std::string> parts = split_at_commas(text);
+        double                         number;
+        return static_cast<int>(parts.size()) == n &&
+               std::all_of(parts.begin(), parts.end(), [&](const std::string &part) {
+                 return read_number(part, number) && range.contains(number) &&
+                        (!integer || number == static_cast<int>(number));
+               });
+      }
+
+      std::string
+      description(const OutputStyle /*style*/ = Machine) const override
+      {
+        if (n > 1)
+          return std::to_string(n) + " numbers, separated by commas";
+        const std::string limits = range.description();
+        return (integer ? "an integer" : "a number") + (limits.empty() ? "" : " " + limits);
+      }
+
+      std::unique_ptr<PatternBase>
+      clone() const override
+      {
+        return std::make_unique<NumberPattern>(*this);
+      }
+
+    private:
+      const NumberRange range;
+      const int         n;
+      const bool        integer;
+      const bool        may_be_empty;
+    };
+  } // namespace
+
+  bool
+  NumberRange::contains(const double number) const
+  {
+    return (minimum_excluded ? number > minimum : number >= minimum) &&
+           (maximum_excluded ? number < maximum : number <= maximum);
+  }
+
+  std::string
+  NumberRange::description() const
+  {
+    if (minimum == any_number.minimum)
+      return "";
+    if (maximum == any_number.maximum)
+      return (minimum_excluded ? "> " : ">= ") + to_text(minimum);
+    if (minimum_excluded || maximum_excluded)
+      return "above " + to_text(minimum) + " and below " + to_text(maximum);
+    return "from " + to_text(minimum) + " to " + to_text(maximum);
+  }
+
+  ParameterRegister::ParameterRegister()
+    : handler(std::make_unique<dealii::ParameterHandler>())
+  {}
+
+  ParameterRegister::~ParameterRegister() = default;
+
+  ParameterRegister::Section::Section(ParameterRegister &parameters, const std::string &name)
+    : parameters(parameters)
+    , outer(parameters.current_section)
+  {
+    parameters.handler->enter_subsection(name);
+    parameters.current_section = join(outer, name);
+  }
+
+  ParameterRegister::Section::~Section()
+  {
+    parameters.handler->leave_subsection();
+    parameters.current_section = outer;
+  }
+
+  void
+  ParameterRegister::add(const std::string &name,
+                         double            &variable,
+                         const std::string &unit,
+                         const std::string &text,
+                         const NumberRange &range,
+                         const Presence     presence)
+  {
+    add_numbers(name, &variable, 1, unit, text, range, presence);
+  }
+
+  void
+  ParameterRegister::add(const std::string &name,
+                         int               &variable,
+                         const std::string &unit,
+                         const std::string &text,
+                         const NumberRange &range)
+  {
+    const NumberPattern pattern(range, 1, true, false);
+    declare({current_section,
+             name,
+             std::to_string(variable),
+             pattern.description(),
+             unit,
+             text,
+             Presence::has_default},
+            pattern,
+            [&variable](const std::string &value) {
+              double number = 0.;
+              read_number(value, number);
+              variable = static_cast<int>(number);
+            });
+  }
+
+  void
+  ParameterRegister::add(const std::string &name, bool &variable, const std::string &text)
+  {
+    add(name, variable, {{"true", true}, {"false", false}}, text);
+  }
+
+  void
+  ParameterRegister::add(const std::string &name,
+                         std::string       &variable,
+                         const std::string &unit,
+                         const std::string &text,
+                         const Presence     presence)
+  {
+    const std::string default_value = (presence == Presence::has_default) ? variable : "";
+    declare({current_section, name, default_value, "a text", unit, text, presence},
+            dealii::Patterns::Anything(),
+            [&variable](const std::string &value) { variable = value; });
+  }
+
+  void
+  ParameterRegister::add(const std::string              &name,
+                         std::vector<std::string>       &variable,
+                         const std::vector<std::string> &choices,
+                         const std::string              &text)
+  {
+    const std::string range =
+      choices.empty() ? "names, separated by commas" : "any of: " + comma_separated(choices);
+    const auto action = [&variable](const std::string &value) {
+      variable = split_at_commas(value);
+    };
+    const DeclaredParameter parameter{
+      current_section, name, comma_separated(variable), range, "-", text, Presence::has_default};
+
+    if (choices.empty())
+      declare(parameter, dealii::Patterns::Anything(), action);
+    else
+      declare(parameter,
+              dealii::Patterns::List(
+                dealii::Patterns::Selection(dealii::Utilities::replace_in_string(
+                  comma_separated(choices), ", ", "|"))),
+              action);
+  }
+
+  void
+  ParameterRegister::add_numbers(const std::string &name,
+                                 double            *variable,
+                                 const int          n,
+                                 const std::string &unit,
+                                 const std::string &text,
+                                 const NumberRange &range,
+                                 const Presence     presence)
+  {
+    std::string default_value;
+    if (presence == Presence::has_default)
+      for (int i = 0; i < n; ++i)
+        default_value += (i == 0 ? "" : ", ") + to_text(variable[i]);
+
+    const NumberPattern pattern(range, n, false, presence != Presence::has_default);
+    declare({current_section, name, default_value, pattern.description(), unit, text, presence},
+            pattern,
+            [variable, n](const std::string &value) {
+              const std::vector<std::string> parts = split_at_commas(value);
+              if (!value.empty())
+                for (int i = 0; i < n; ++i)
+                  read_number(parts[i], variable[i]);
+            });
+  }
+
+  void
+  ParameterRegister::add_choice(const std::string                              &name,
+                                const std::string                              &default_name,
+                                const std::vector<std::string>                 &names,
+                                const std::string                              &text,
+                                const std::function<void(const std::string &)> &action)
+  {
+    const std::string list  = comma_separated(names);
+    const std::string range = (names.size() > 1 ? "one of: " : "only: ") + list;
+    declare({current_section, name, default_name, range, "-", text, Presence::has_default},
+            dealii::Patterns::Selection(dealii::Utilities::replace_in_string(list, ", ", "|")),
+            action);
+  }
+
+  void
+  ParameterRegister::declare(const DeclaredParameter                        &parameter,
+                             const dealii::Patterns::PatternBase            &pattern,
+                             const std::function<void(const std::string &)> &action)
+  {
+    const std::string unit = parameter.unit == "-" ? "" : " [" + parameter.unit + "]";
+    handler->declare_entry(parameter.name, parameter.default_value, pattern, parameter.text + unit);
+    handler->add_action(parameter.name, action);
+    values[join(current_section, parameter.name)] = parameter.default_value;
+    declared.push_back(parameter);
+  }
+
+  void
+  ParameterRegister::refuse(const std::string &name, const std::string &reason)
+  {
+    refused[join(current_section, name)] = reason;
+  }
+
+  void
+  ParameterRegister::apply(const ParameterFile &file)
+  {
+    file_name = file.name;
+    for (const ParameterEntry &subsection : file.subsections)
+      if (std::none_of(declared.begin(), declared.end(), [&](const DeclaredParameter &parameter) {
+            return (parameter.section + "/").rfind(subsection.section + "/", 0) == 0;
+          }))
+        throw unknown_subsection(subsection);
+
+    for (const ParameterEntry &entry : file.entries)
+      apply(entry);
+
+    for (const DeclaredParameter &parameter : declared)
+      {
+        const std::string path = join(parameter.section, parameter.name);
+        if (parameter.presence == Presence::required && !given(path))
+          throw InputError(file_name + ": " + path + " is not given; it " + must_be(parameter) +
+                           ". " + parameter.text);
+      }
+  }
+
+  void
+  ParameterRegister::apply(const ParameterEntry &entry)
+  {
+    const std::string        path      = entry.path();
+    const DeclaredParameter *parameter = find(path);
+    if (parameter == nullptr)
+      throw unknown_parameter(entry);
+
+    values[path]  = entry.value;
+    origins[path] = entry.origin;
+    try
+      {
+        set_printed_value(path, entry.value);
+      }
+    catch (const dealii::ParameterHandler::ExcValueDoesNotMatchPattern &)
+      {
+        throw error(path, must_be(*parameter) + ".");
+      }
+  }
+
+  void
+  ParameterRegister::set_printed_value(const std::string &path, const std::string &value)
+  {
+    std::vector<std::string> names = dealii::Utilities::split_string_list(path, '/');
+    const std::string        name  = names.back();
+    names.pop_back();
+
+    const auto leave_subsections = [&]() {
+      for (std::size_t i = 0; i < names.size(); ++i)
+        handler->leave_subsection();
+    };
+
+    for (const std::string &section : names)
+      handler->enter_subsection(section);
+    try
+      {
+        handler->set(name, value);
+      }
+    catch (...)
+      {
+        leave_subsections();
+        throw;
+      }
+    leave_subsections();
+  }
+
+  bool
+  ParameterRegister::given(const std::string &path) const
+  {
+    return !values.at(path).empty();
+  }
+
+  InputError
+  ParameterRegister::error(const std::string &path, const std::string &explanation) const
+  {
+    const auto        origin = origins.find(path);
+    const std::string value  = values.at(path);
+    return InputError((origin == origins.end() ? file_name : origin->second) + ": " + path +
+                      (value.empty() ? " is not given: " : " = " + value + ": ") + explanation);
+  }
+
+  std::string
+  ParameterRegister::print() const
+  {
+    std::ostringstream text;
+    handler->print_parameters(text,
+                              dealii::ParameterHandler::PRM |
+                                dealii::ParameterHandler::KeepDeclarationOrder);
+    return text.str();
+  }
+
+  const DeclaredParameter *
+  ParameterRegister::find(const std::string &path) const
+  {
+    for (const DeclaredParameter &parameter : declared)
+      if (join(parameter.section, parameter.name) == path)
+        return &parameter;
+    return nullptr;
+  }
+
+  std::vector<std::string>
+  ParameterRegister::names_in(const std::string &section) const
+  {
+    std::vector<std::string> names;
+    for (const DeclaredParameter &parameter : declared)
+      if (parameter.section == section)
+        names.push_back(parameter.name);
+    return names;
+  }
+
+  std::vector<std::string>
+  ParameterRegister::subsections_in(const std::string &section) const
+  {
+    const std::string        prefix = section.empty() ? "" : section + "/";
+    std::vector<std::string> names;
+    for (const DeclaredParameter &parameter : declared)
+      if (parameter.section.size() > prefix.size() && parameter.section.rfind(prefix, 0) == 0)
+        {
+          const std::string rest = parameter.section.substr(prefix.size());
+          const std::string name = rest.substr(0, rest.find('/'));
+          if (std::find(names.begin(), names.end(), name) == names.end())
+            names.push_back(name);
+        }
+    return names;
+  }
+
+  std::string
+  ParameterRegister::list_of_names(const std::string &section) const
+  {
+    for (const std::string &name : names_in(section))
+      if (name.rfind("List of ", 0) == 0)
+        return join(section, name);
+    return "";
+  }
+
+  InputError
+  ParameterRegister::unknown_subsection(const ParameterEntry &entry) const
+  {
+    // The outermost name that is not known is the one to name.
+    std::string section;
+    for (const std::string &name : dealii::Utilities::split_string_list(entry.section, '/'))
+      {
+        const std::vector<std::string> known = subsections_in(section);
+        if (std::find(known.begin(), known.end(), name) == known.end())
+          {
+            const std::string list = list_of_names(section);
+            return InputError(entry.origin + ": there is no subsection '" + name + "'" +
+                              in_subsection(section) +
+                              (list.empty() ? "" :
+                                              " because '" + list + "' is '" + values.at(list) +
+                                                "', without it") +
+                              did_you_mean(name, known));
+          }
+        section = join(section, name);
+      }
+    return InputError(entry.origin + ": there is no subsection " + entry.section + ".");
+  }
+
+  InputError
+  ParameterRegister::unknown_parameter(const ParameterEntry &entry) const
+  {
+    if (!entry.section.empty() && names_in(entry.section).empty() &&
+        subsections_in(entry.section).empty())
+      return unknown_subsection(entry);
+
+    const std::string start = entry.origin + ": there is no parameter '" + entry.name + "'" +
+                              in_subsection(entry.section);
+    const auto reason = refused.find(entry.path());
+    if (reason != refused.end())
+      return InputError(start + ": " + reason->second);
+
+    const std::vector<std::string> here = names_in(entry.section);
+    if (closest_name(entry.name, here).empty())
+      // Perhaps the right name at a wrong place.
+      for (const DeclaredParameter &parameter : declared)
+        if (edit_distance(parameter.name, entry.name) == 0)
+          return InputError(start + "; did you mean '" + join(parameter.section, parameter.name) +
+                            "'?");
+    return InputError(start + did_you_mean(entry.name, here));
+  }
+} // namespace magmpm

@@ -1,0 +1,104 @@
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/dofs/dof_tools.h>
+
+#include <magmpm/magnetics/cell_stencil.h>
+#include <magmpm/magnetics/potential_space.h>
+
+namespace magmpm
+{
+  template <int dim>
+  PotentialSpace<dim>::PotentialSpace(const BackgroundMesh<dim> &mesh)
+    : mesh(mesh)
+    , fe(potential_degree)
+    , dof_handler(mesh.triangulation())
+  {
+    dof_handler.distribute_dofs(fe);
+    dealii::DoFTools::extract_locally_relevant_dofs(dof_handler, relevant_dofs);
+    constraints.reinit(relevant_dofs);
+    dealii::DoFTools::make_hanging_node_constraints(dof_handler, constraints);
+    constraints.close();
+
+    set_up_matrix_free();
+    find_lattice_cells();
+  }
+
+  template <int dim>
+  void
+  PotentialSpace<dim>::set_up_matrix_free()
+  {
+    typename dealii::MatrixFree<dim, double>::AdditionalData data;
+    data.tasks_parallel_scheme = dealii::MatrixFree<dim, double>::AdditionalData::none;
+    data.mapping_update_flags  = dealii::update_gradients | dealii::update_JxW_values;
+    auto storage               = std::make_shared<dealii::MatrixFree<dim, double>>();
+    storage->reinit(mapping, dof_handler, constraints, dealii::QGauss<1>(n_points_1d), data);
+    matrix_free = storage;
+  }
+
+  template <int dim>
+  void
+  PotentialSpace<dim>::find_lattice_cells()
+  {
+    const Lattice<dim> &lattice       = mesh.lattice();
+    const auto         &triangulation = mesh.triangulation();
+
+    lattice_cell_of_active_cell.assign(triangulation.n_active_cells(), invalid_entry);
+    for (const auto &cell : triangulation.active_cell_iterators())
+      if (cell->is_locally_owned() &&
+          std::abs(cell->extent_in_direction(0) - 2. * lattice.spacing) < 0.1 * lattice.spacing)
+        {
+          Vector<dim> corner;
+          for (int d = 0; d < dim; ++d)
+            corner[d] = cell->vertex(0)[d];
+          lattice_cell_of_active_cell[cell->active_cell_index()] = lattice_cells.size();
+          lattice_cells.push_back(lattice.nearest_node(corner));
+        }
+
+    const unsigned int n_lanes = dealii::VectorizedArray<double>::size();
+    lattice_cell_of_lane.assign(matrix_free->n_cell_batches() * n_lanes, invalid_entry);
+    for (unsigned int batch = 0; batch < matrix_free->n_cell_batches(); ++batch)
+      for (unsigned int lane = 0; lane < matrix_free->n_active_entries_per_cell_batch(batch); ++lane)
+        lattice_cell_of_lane[batch * n_lanes + lane] =
+          lattice_cell_of_active_cell[matrix_free->get_cell_iterator(batch, lane)
+                                        ->active_cell_index()];
+
+    // Every rank knows the coarse mesh, and it fills the box.
+    bool first = true;
+    for (const auto &cell : triangulation.cell_iterators_on_level(0))
+      {
+        const auto lower = cell->vertex(0);
+        const auto upper = cell->vertex(dealii::GeometryInfo<dim>::vertices_per_cell - 1);
+        for (int d = 0; d < dim; ++d)
+          {
+            lower_corner[d] = first ? lower[d] : std::min(lower_corner[d], lower[d]);
+            upper_corner[d] = first ? upper[d] : std::max(upper_corner[d], upper[d]);
+          }
+        first = false;
+      }
+  }
+
+  template <int dim>
+  PotentialVector
+  PotentialSpace<dim>::make_vector() const
+  {
+    PotentialVector vector;
+    matrix_free->initialize_dof_vector(vector);
+    return vector;
+  }
+
+  template <int dim>
+  PotentialVector
+  PotentialSpace<dim>::with_ghosts(const PotentialVector &potential) const
+  {
+    PotentialVector copy(dof_handler.locally_owned_dofs(),
+                         relevant_dofs,
+                         mesh.triangulation().get_communicator());
+    copy.copy_locally_owned_data_from(potential);
+    constraints.distribute(copy);
+    copy.update_ghost_values();
+    return copy;
+  }
+
+  template class PotentialSpace<2>;
+  template class PotentialSpace<3>;
+} // namespace magmpm

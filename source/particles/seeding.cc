@@ -1,0 +1,171 @@
+#include <magmpm/particles/seeding.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace magmpm
+{
+  namespace
+  {
+    /** SplitMix64: a random number in [-1/2, 1/2) that depends on the key alone. */
+    double
+    random_offset(std::uint64_t key)
+    {
+      key += 0x9e3779b97f4a7c15ull;
+      key = (key ^ (key >> 30)) * 0xbf58476d1ce4e5b9ull;
+      key = (key ^ (key >> 27)) * 0x94d049bb133111ebull;
+      key ^= key >> 31;
+      return static_cast<double>(key >> 11) / 9007199254740992. - 0.5;
+    }
+
+    /** The grid of places where particles of a body can be. */
+    template <int dim>
+    struct Places
+    {
+      double     spacing;
+      Index<dim> first; ///< place in the lower corner of the bounding box
+      Index<dim> count;
+
+      Places(const BodyParameters<dim> &parameters, const Lattice<dim> &lattice)
+        : spacing(lattice.spacing / parameters.particles_per_edge)
+      {
+        const BoundingBox<dim> box   = bounding_box(parameters);
+        const Vector<dim>      lower = (1. / spacing) * (box.lower - lattice.lower_corner);
+        const Vector<dim>      upper = (1. / spacing) * (box.upper - lattice.lower_corner);
+        for (int d = 0; d < dim; ++d)
+          {
+            first[d] = static_cast<int>(std::floor(lower[d] + 1e-6));
+            count[d] = std::max(0, static_cast<int>(std::ceil(upper[d] - 1e-6)) - first[d]);
+          }
+      }
+    };
+
+    /** The start of a particle in the motion of its body: v = v_0 + omega x r, C = grad v. */
+    template <int dim>
+    void
+    set_motion(const BodyParameters<dim> &parameters,
+               const Vector<dim>         &centre,
+               const std::size_t          p,
+               ParticleSet<dim>          &particles)
+    {
+      const Vector<dim> r        = particles.position(p) - centre;
+      const Vector<dim> velocity = parameters.velocity + rotation_velocity<dim>(parameters.angular_velocity, r);
+      for (int d = 0; d < dim; ++d)
+        {
+          particles.component(ParticleQuantity::velocity, d)[p] = velocity[d];
+          Vector<dim> direction;
+          direction[d]              = 1.;
+          const Vector<dim> derivative = rotation_velocity<dim>(parameters.angular_velocity, direction);
+          for (int c = 0; c < dim; ++c)
+            particles.component(ParticleQuantity::affine_velocity, dim * c + d)[p] = derivative[c];
+        }
+    }
+  } // namespace
+
+  template <int dim>
+  BoundingBox<dim>
+  bounding_box(const BodyParameters<dim> &parameters)
+  {
+    if (parameters.shape == Shape::box)
+      return {parameters.lower_corner, parameters.upper_corner};
+    BoundingBox<dim> box = {parameters.centre, parameters.centre};
+    const double     axis_length = norm(parameters.axis);
+    for (int d = 0; d < dim; ++d)
+      {
+        double reach = parameters.radius;
+        if (parameters.shape == Shape::cylinder)
+          {
+            const double cosine = parameters.axis[d] / axis_length;
+            reach = 0.5 * parameters.length * std::abs(cosine) +
+                    parameters.radius * std::sqrt(std::max(0., 1. - cosine * cosine));
+          }
+        box.lower[d] -= reach;
+        box.upper[d] += reach;
+      }
+    return box;
+  }
+
+  template <int dim>
+  bool
+  is_inside(const BodyParameters<dim> &parameters, const Vector<dim> &point)
+  {
+    if (parameters.shape == Shape::box)
+      {
+        for (int d = 0; d < dim; ++d)
+          if (point[d] < parameters.lower_corner[d] || point[d] > parameters.upper_corner[d])
+            return false;
+        return true;
+      }
+    const Vector<dim> r = point - parameters.centre;
+    if (parameters.shape == Shape::sphere)
+      return norm_square(r) <= parameters.radius * parameters.radius;
+    const double along = dot(r, parameters.axis) / norm(parameters.axis);
+    return std::abs(along) <= 0.5 * parameters.length &&
+           norm_square(r) - along * along <= parameters.radius * parameters.radius;
+  }
+
+  template <int dim>
+  void
+  seed_particles(const BodyParameters<dim> &parameters,
+                 const Lattice<dim>        &lattice,
+                 const unsigned int         body_number,
+                 const unsigned int         rank,
+                 const unsigned int         n_ranks,
+                 Body<dim>                 &body)
+  {
+    const Places<dim>      places(parameters, lattice);
+    const BoundingBox<dim> box    = bounding_box(parameters);
+    const Vector<dim>      centre = 0.5 * (box.lower + box.upper);
+    ParticleSet<dim>      &particles = body.particles;
+
+    const std::uint64_t row_length = static_cast<std::uint64_t>(places.count[0]);
+    std::uint64_t       n_rows     = 1;
+    for (int d = 1; d < dim; ++d)
+      n_rows *= places.count[d];
+    for (std::uint64_t row = n_rows * rank / n_ranks; row < n_rows * (rank + 1) / n_ranks; ++row)
+      for (std::uint64_t i = 0; i < row_length; ++i)
+        {
+          const std::uint64_t id = (static_cast<std::uint64_t>(body_number) << 40) + row * row_length + i;
+          Vector<dim>         position;
+          std::uint64_t       rest = row;
+          for (int d = 0; d < dim; ++d)
+            {
+              const int place = places.first[d] + static_cast<int>(d == 0 ? i : rest % places.count[d]);
+              if (d > 0)
+                rest /= places.count[d];
+              position[d] = lattice.lower_corner[d] + places.spacing * (place + 0.5);
+            }
+          // Inside or not is asked of the regular place, so that jitter does not change how many.
+          if (!is_inside(parameters, position))
+            continue;
+          const std::size_t p = particles.size();
+          particles.resize(p + 1);
+          particles.ids()[p] = id;
+          for (int d = 0; d < dim; ++d)
+            particles.component(ParticleQuantity::position, d)[p] =
+              position[d] + parameters.jitter * places.spacing * random_offset(dim * id + d);
+          set_motion(parameters, centre, p, particles);
+          const double volume = std::pow(places.spacing, dim);
+          particles.component(ParticleQuantity::volume, 0)[p] = volume;
+          particles.component(ParticleQuantity::mass, 0)[p]   = parameters.density * volume;
+          // The undeformed state: the identity, or J = 1.
+          const int n_deformation = particles.n_components(ParticleQuantity::deformation);
+          for (int c = 0; c < n_deformation; c += dim + 1)
+            particles.component(ParticleQuantity::deformation, c)[p] = 1.;
+        }
+  }
+
+  template BoundingBox<2>
+  bounding_box(const BodyParameters<2> &);
+  template BoundingBox<3>
+  bounding_box(const BodyParameters<3> &);
+  template bool
+  is_inside(const BodyParameters<2> &, const Vector<2> &);
+  template bool
+  is_inside(const BodyParameters<3> &, const Vector<3> &);
+  template void
+  seed_particles(const BodyParameters<2> &, const Lattice<2> &, unsigned int, unsigned int, unsigned int, Body<2> &);
+  template void
+  seed_particles(const BodyParameters<3> &, const Lattice<3> &, unsigned int, unsigned int, unsigned int, Body<3> &);
+} // namespace magmpm

@@ -1,0 +1,156 @@
+// The statistics file: a table by name, exact to the last bit, that refuses to be filled wrongly.
+
+#include <magmpm/base/exceptions.h>
+#include <magmpm/io/statistics_columns.h>
+#include <magmpm/io/statistics_file.h>
+
+#include "catch.h"
+#include "test_folder.h"
+
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+using namespace magmpm;
+
+namespace
+{
+  std::vector<std::string>
+  lines_of(const std::string &path)
+  {
+    std::ifstream file(path);
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(file, line);)
+      lines.push_back(line);
+    return lines;
+  }
+
+  std::vector<std::string>
+  names_of(const std::vector<StatisticsColumn> &columns)
+  {
+    std::vector<std::string> names;
+    for (const StatisticsColumn &column : columns)
+      names.push_back(column.name);
+    return names;
+  }
+} // namespace
+
+TEST_CASE("statistics are set by name and written in the order of the columns", "[io][mpi]")
+{
+  // Values go in in any order and by all ranks; rank 0 writes them under their headings. The lines
+  // are those that RFC 4180 asks for, with the body's comma in quotes.
+  const std::string path = testing::fresh_folder("statistics_file") + "/statistics.csv";
+  {
+    StatisticsFile statistics(
+      MPI_COMM_WORLD,
+      path,
+      {{"step", ""}, {"time", "s"}, {"limit of dt", ""}, {"a, b x", "N"}, {"a, b y", "N"}});
+    statistics.set("limit of dt", "elastic");
+    statistics.set("a, b", Vector<2>{{-1., 2.5}});
+    statistics.set("time", 0.25);
+    statistics.set("step", 7);
+    statistics.write_row();
+    statistics.flush();
+  }
+  if (testing::this_rank() == 0)
+    CHECK(lines_of(path) ==
+          std::vector<std::string>{"step,time [s],limit of dt,\"a, b x [N]\",\"a, b y [N]\"",
+                                   "7,0.25,elastic,-1,2.5"});
+  MPI_Barrier(MPI_COMM_WORLD);
+}
+
+TEST_CASE("a number in the statistics is read back to the last bit", "[io]")
+{
+  // 17 digits tell all doubles apart, so what std::stod reads is the number that was set, for the
+  // smallest and largest ones and for 0.1 + 0.2, which 16 digits would not tell from 0.3.
+  const std::string path = testing::fresh_folder("statistics_file-digits") + "/statistics.csv";
+  for (const double value : {0.1 + 0.2,
+                             1. / 3.,
+                             -7.55e23,
+                             std::numeric_limits<double>::min(),
+                             std::numeric_limits<double>::max(),
+                             std::nextafter(1., 2.)})
+    {
+      StatisticsFile statistics(MPI_COMM_SELF, path, {{"x", "-"}});
+      statistics.set("x", value);
+      statistics.write_row();
+      statistics.flush();
+      CHECK(std::stod(lines_of(path).at(1)) == value);
+    }
+}
+
+TEST_CASE("wrong names and forgotten values in the statistics are errors", "[io]")
+{
+  // These are mistakes in the program, in any build: a column that does not exist, two columns of
+  // one name, a value that is missing in a row although an earlier row had it.
+  const std::string path = testing::fresh_folder("statistics_file-errors") + "/statistics.csv";
+  StatisticsFile statistics(MPI_COMM_SELF, path, {{"x", "-"}, {"text", ""}});
+
+  CHECK_THROWS_WITH(statistics.set("y", 1.), "The statistics have no column 'y'.");
+  CHECK_THROWS_AS(StatisticsFile(MPI_COMM_SELF, path, {{"x", "-"}, {"x", "m"}}), std::logic_error);
+
+  statistics.set("x", 1.);
+  statistics.set("text", "");
+  CHECK_NOTHROW(statistics.write_row());
+  statistics.set("text", "");
+  CHECK_THROWS_WITH(statistics.write_row(), "A row of statistics lacks the value of 'x'.");
+}
+
+TEST_CASE("a statistics file that cannot be opened says which and why", "[io]")
+{
+  // The folder does not exist: the message must name the file and what to look at.
+  CHECK_THROWS_WITH(StatisticsFile(MPI_COMM_SELF, "no-such-folder/statistics.csv", {{"x", "-"}}),
+                    "The statistics file 'no-such-folder/statistics.csv' cannot be opened for "
+                    "writing. Is there such a folder, and are you allowed to write there?");
+  CHECK_THROWS_AS(StatisticsFile(MPI_COMM_SELF, "no-such-folder/statistics.csv", {{"x", "-"}}),
+                  RunError);
+}
+
+TEST_CASE("the columns of a scene have units of its dimension", "[io]")
+{
+  // Two bodies in 3D: 28 columns of the scene, 6 a body, one a phase. In 2D momenta and energies
+  // are per metre of depth, and there is one angular momentum.
+  const auto columns_3d = statistics_columns<3>({"cube", "drop"}, {"P2G", "G2P"});
+  const auto columns_2d = statistics_columns<2>({"cube", "drop"}, {"P2G", "G2P"});
+  CHECK(columns_3d.size() == 10 + 3 * 3 + 5 + 2 * 6 + 6 + 2);
+  CHECK(columns_2d.size() == 10 + 2 + 1 + 2 + 5 + 2 * 4 + 6 + 2);
+
+  std::string headings;
+  for (const StatisticsColumn &column : columns_2d)
+    headings += column.heading() + '\n';
+  for (const std::string heading : {"\nkinetic energy [J/m]\n",
+                                    "\nmomentum y [kg/s]\n",
+                                    "\nangular momentum z [kg m/s]\n",
+                                    "\ndrop: magnetic force y [N/m]\n",
+                                    "\ncube: magnetic moment x [A m]\n",
+                                    "\nwall time: G2P [s]\n"})
+    CHECK(headings.find(heading) != std::string::npos);
+  CHECK(headings.find("momentum z [kg/s]") == std::string::npos);
+
+  // No name twice, which StatisticsFile would refuse.
+  CHECK_NOTHROW(StatisticsFile(MPI_COMM_SELF,
+                               testing::fresh_folder("statistics_file-columns") + "/statistics.csv",
+                               columns_3d));
+}
+
+TEST_CASE("doc/statistics.md explains every column", "[io]")
+{
+  // The manual names each column of a scene in code quotes, with the vector's name for its
+  // components: a column added without a word in the manual fails here.
+  std::ifstream file(MAGMPM_SOURCE_DIR "/doc/statistics.md");
+  REQUIRE(file);
+  std::ostringstream manual;
+  manual << file.rdbuf();
+
+  for (std::string name : names_of(statistics_columns<3>({"BODY"}, {"PHASE"})))
+    {
+      const bool is_component = name.size() > 2 && name[name.size() - 2] == ' ' &&
+                                std::string("xyz").find(name.back()) != std::string::npos;
+      if (is_component)
+        name.resize(name.size() - 2);
+      CAPTURE(name);
+      CHECK(manual.str().find("`" + name + "`") != std::string::npos);
+    }
+}
