@@ -10,7 +10,17 @@ target_include_directories(magmpm_options INTERFACE ${PROJECT_SOURCE_DIR}/includ
 target_compile_options(magmpm_options INTERFACE -Wall -Wextra -Wno-psabi -ffp-contract=fast)
 target_link_options(magmpm_options INTERFACE -Wl,--as-needed)
 if(MAGMPM_NATIVE)
-  target_compile_options(magmpm_options INTERFACE -march=native)
+  # The processor becomes part of each command line, so that on another one (a build folder or a
+  # ccache shared by machines) everything is compiled anew.
+  execute_process(COMMAND ${CMAKE_CXX_COMPILER} -march=native -dM -E -x c++ /dev/null
+                  OUTPUT_VARIABLE native_macros RESULT_VARIABLE result ERROR_QUIET)
+  if(NOT result EQUAL 0)
+    message(FATAL_ERROR "${CMAKE_CXX_COMPILER} does not know -march=native: configure with "
+                        "-DMAGMPM_NATIVE=OFF, and the right flag in CMAKE_CXX_FLAGS.")
+  endif()
+  string(MD5 native_processor "${native_macros}")
+  target_compile_options(magmpm_options INTERFACE -march=native
+                                                  -DMAGMPM_PROCESSOR=0x${native_processor})
 endif()
 if(MAGMPM_SANITIZE)
   target_compile_options(magmpm_options INTERFACE -fsanitize=${MAGMPM_SANITIZE}

@@ -28,18 +28,24 @@ namespace magmpm
   }
 
   std::string
+  three_digits(const double value)
+  {
+    return formatted("%.3g", value);
+  }
+
+  std::string
   with_prefix(const double value, const std::string &unit)
   {
     static constexpr const char *prefixes[] = {"n", "u", "m", "", "k", "M", "G"};
     const int none = 3, last = std::size(prefixes) - 1;
     if (value == 0. || !std::isfinite(value))
-      return formatted("%g ", value) + unit;
+      return three_digits(value) + ' ' + unit;
 
     // Rounded first, so that 999.9 becomes 1 k and not 1e+03.
     const double rounded = std::stod(formatted("%.2e", value));
     int prefix           = none + static_cast<int>(std::floor(std::log10(std::abs(rounded)) / 3.));
     prefix               = std::min(std::max(prefix, 0), last);
-    return formatted("%.3g ", rounded / std::pow(1000., prefix - none)) + prefixes[prefix] + unit;
+    return three_digits(rounded / std::pow(1000., prefix - none)) + ' ' + prefixes[prefix] + unit;
   }
 
   std::string

@@ -16,7 +16,7 @@ namespace magmpm
     single_spaced(const std::string &text)
     {
       std::istringstream words(text);
-      std::string        result, word;
+      std::string result, word;
       while (words >> word)
         result += (result.empty() ? "" : " ") + word;
       return result;
@@ -36,13 +36,14 @@ namespace magmpm
     public:
       explicit LineReader(ParameterFile &file)
         : file(file)
-      {}
+      {
+      }
 
       void
       read(const std::string &text)
       {
         std::istringstream lines(text);
-        std::string        line, joined;
+        std::string line, joined;
         for (int number = 1; std::getline(lines, line); ++number)
           {
             if (joined.empty())
@@ -55,16 +56,16 @@ namespace magmpm
           }
         read_statement(single_spaced(joined));
         if (!open_sections.empty())
-          throw InputError(file.name + ": the subsection '" + open_sections.back() +
-                           "' of line " + std::to_string(open_lines.back()) +
+          throw InputError(file.name + ": the subsection '" + open_sections.back() + "' of line " +
+                           std::to_string(open_lines.back()) +
                            " is not closed: an 'end' is missing.");
       }
 
     private:
-      ParameterFile           &file;
-      int                      line_number = 0;
+      ParameterFile &file;
+      int line_number = 0;
       std::vector<std::string> open_sections;
-      std::vector<int>         open_lines;
+      std::vector<int> open_lines;
 
       std::string
       origin() const
@@ -99,8 +100,8 @@ namespace magmpm
           return;
         const std::size_t space   = statement.find(' ');
         const std::string keyword = lower_case(statement.substr(0, space));
-        const std::string rest = (space == std::string::npos) ? "" : statement.substr(space + 1);
-        const std::size_t equal = rest.find('=');
+        const std::string rest    = (space == std::string::npos) ? "" : statement.substr(space + 1);
+        const std::size_t equal   = rest.find('=');
 
         if (keyword == "set" && equal != std::string::npos && equal > 0)
           file.entries.push_back({section(),
@@ -155,7 +156,7 @@ namespace magmpm
     as_statements(const ParameterEntry &entry)
     {
       std::istringstream sections(entry.section);
-      std::string        name, text, closing;
+      std::string name, text, closing;
       while (std::getline(sections, name, '/'))
         {
           text += "subsection " + name + "\n";
@@ -165,14 +166,14 @@ namespace magmpm
     }
   } // namespace
 
-  std::string
-  ParameterFile::value(const std::string &path, const std::string &fallback) const
+  const ParameterEntry *
+  ParameterFile::last_entry(const std::string &path) const
   {
-    std::string result = fallback;
+    const ParameterEntry *last = nullptr;
     for (const ParameterEntry &entry : entries)
       if (entry.path() == path)
-        result = entry.value;
-    return result;
+        last = &entry;
+    return last;
   }
 
   std::string
@@ -184,8 +185,8 @@ namespace magmpm
   }
 
   ParameterFile
-  parse_parameter_text(const std::string              &text,
-                       const std::string              &name,
+  parse_parameter_text(const std::string &text,
+                       const std::string &name,
                        const std::vector<std::string> &overrides)
   {
     ParameterFile file;
@@ -207,7 +208,7 @@ namespace magmpm
   read_parameter_file(const std::string &name, const std::vector<std::string> &overrides)
   {
     errno = 0;
-    std::ifstream      stream(name);
+    std::ifstream stream(name);
     std::ostringstream text;
     // An empty file leaves the failbit set in text, a folder sets the badbit of the stream.
     if (stream)

@@ -34,7 +34,7 @@ namespace magmpm
   closest_name(const std::string &name, const std::vector<std::string> &known_names)
   {
     std::string closest;
-    int         smallest = 0;
+    int smallest = 0;
     for (const std::string &known : known_names)
       {
         const int distance = edit_distance(name, known);

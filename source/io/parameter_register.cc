@@ -61,12 +61,16 @@ namespace magmpm
     class NumberPattern : public dealii::Patterns::PatternBase
     {
     public:
-      NumberPattern(const NumberRange &range, const int n, const bool integer, const bool may_be_empty)
+      NumberPattern(const NumberRange &range,
+                    const int n,
+                    const bool integer,
+                    const bool may_be_empty)
         : range(range)
         , n(n)
         , integer(integer)
         , may_be_empty(may_be_empty)
-      {}
+      {
+      }
 
       bool
       match(const std::string &text) const override
@@ -74,7 +78,7 @@ namespace magmpm
         if (may_be_empty && text.empty())
           return true;
         const std::vector<std::string> parts = split_at_commas(text);
-        double                         number;
+        double number;
         return static_cast<int>(parts.size()) == n &&
                std::all_of(parts.begin(), parts.end(), [&](const std::string &part) {
                  return read_number(part, number) && range.contains(number) &&
@@ -99,9 +103,9 @@ namespace magmpm
 
     private:
       const NumberRange range;
-      const int         n;
-      const bool        integer;
-      const bool        may_be_empty;
+      const int n;
+      const bool integer;
+      const bool may_be_empty;
     };
   } // namespace
 
@@ -126,7 +130,8 @@ namespace magmpm
 
   ParameterRegister::ParameterRegister()
     : handler(std::make_unique<dealii::ParameterHandler>())
-  {}
+  {
+  }
 
   ParameterRegister::~ParameterRegister() = default;
 
@@ -146,18 +151,18 @@ namespace magmpm
 
   void
   ParameterRegister::add(const std::string &name,
-                         double            &variable,
+                         double &variable,
                          const std::string &unit,
                          const std::string &text,
                          const NumberRange &range,
-                         const Presence     presence)
+                         const Presence presence)
   {
     add_numbers(name, &variable, 1, unit, text, range, presence);
   }
 
   void
   ParameterRegister::add(const std::string &name,
-                         int               &variable,
+                         int &variable,
                          const std::string &unit,
                          const std::string &text,
                          const NumberRange &range)
@@ -186,10 +191,10 @@ namespace magmpm
 
   void
   ParameterRegister::add(const std::string &name,
-                         std::string       &variable,
+                         std::string &variable,
                          const std::string &unit,
                          const std::string &text,
-                         const Presence     presence)
+                         const Presence presence)
   {
     const std::string default_value = (presence == Presence::has_default) ? variable : "";
     declare({current_section, name, default_value, "a text", unit, text, presence},
@@ -198,14 +203,14 @@ namespace magmpm
   }
 
   void
-  ParameterRegister::add(const std::string              &name,
-                         std::vector<std::string>       &variable,
+  ParameterRegister::add(const std::string &name,
+                         std::vector<std::string> &variable,
                          const std::vector<std::string> &choices,
-                         const std::string              &text)
+                         const std::string &text)
   {
-    const std::string range =
-      choices.empty() ? "names, separated by commas" : "any of: " + comma_separated(choices);
-    const auto action = [&variable](const std::string &value) {
+    const std::string range = choices.empty() ? "names, separated by commas"
+                                              : "any of: " + comma_separated(choices);
+    const auto action       = [&variable](const std::string &value) {
       variable = split_at_commas(value);
     };
     const DeclaredParameter parameter{
@@ -215,20 +220,19 @@ namespace magmpm
       declare(parameter, dealii::Patterns::Anything(), action);
     else
       declare(parameter,
-              dealii::Patterns::List(
-                dealii::Patterns::Selection(dealii::Utilities::replace_in_string(
-                  comma_separated(choices), ", ", "|"))),
+              dealii::Patterns::List(dealii::Patterns::Selection(
+                dealii::Utilities::replace_in_string(comma_separated(choices), ", ", "|"))),
               action);
   }
 
   void
   ParameterRegister::add_numbers(const std::string &name,
-                                 double            *variable,
-                                 const int          n,
+                                 double *variable,
+                                 const int n,
                                  const std::string &unit,
                                  const std::string &text,
                                  const NumberRange &range,
-                                 const Presence     presence)
+                                 const Presence presence)
   {
     std::string default_value;
     if (presence == Presence::has_default)
@@ -247,10 +251,10 @@ namespace magmpm
   }
 
   void
-  ParameterRegister::add_choice(const std::string                              &name,
-                                const std::string                              &default_name,
-                                const std::vector<std::string>                 &names,
-                                const std::string                              &text,
+  ParameterRegister::add_choice(const std::string &name,
+                                const std::string &default_name,
+                                const std::vector<std::string> &names,
+                                const std::string &text,
                                 const std::function<void(const std::string &)> &action)
   {
     const std::string list  = comma_separated(names);
@@ -261,8 +265,8 @@ namespace magmpm
   }
 
   void
-  ParameterRegister::declare(const DeclaredParameter                        &parameter,
-                             const dealii::Patterns::PatternBase            &pattern,
+  ParameterRegister::declare(const DeclaredParameter &parameter,
+                             const dealii::Patterns::PatternBase &pattern,
                              const std::function<void(const std::string &)> &action)
   {
     const std::string unit = parameter.unit == "-" ? "" : " [" + parameter.unit + "]";
@@ -282,12 +286,7 @@ namespace magmpm
   ParameterRegister::apply(const ParameterFile &file)
   {
     file_name = file.name;
-    for (const ParameterEntry &subsection : file.subsections)
-      if (std::none_of(declared.begin(), declared.end(), [&](const DeclaredParameter &parameter) {
-            return (parameter.section + "/").rfind(subsection.section + "/", 0) == 0;
-          }))
-        throw unknown_subsection(subsection);
-
+    check_names(file);
     for (const ParameterEntry &entry : file.entries)
       apply(entry);
 
@@ -301,22 +300,33 @@ namespace magmpm
   }
 
   void
+  ParameterRegister::check_names(const ParameterFile &file) const
+  {
+    // First the parameters: a mistyped list makes its subsections unknown, but is the one at fault.
+    for (const ParameterEntry &entry : file.entries)
+      if (has_section(entry.section) && find(entry.path()) == nullptr)
+        throw unknown_parameter(entry);
+    for (const ParameterEntry &subsection : file.subsections)
+      if (!has_section(subsection.section))
+        throw unknown_subsection(subsection);
+    for (const ParameterEntry &entry : file.entries)
+      if (!has_section(entry.section))
+        throw unknown_subsection(entry);
+  }
+
+  void
   ParameterRegister::apply(const ParameterEntry &entry)
   {
-    const std::string        path      = entry.path();
-    const DeclaredParameter *parameter = find(path);
-    if (parameter == nullptr)
-      throw unknown_parameter(entry);
-
-    values[path]  = entry.value;
-    origins[path] = entry.origin;
+    const std::string path = entry.path();
+    values[path]           = entry.value;
+    origins[path]          = entry.origin;
     try
       {
         set_printed_value(path, entry.value);
       }
     catch (const dealii::ParameterHandler::ExcValueDoesNotMatchPattern &)
       {
-        throw error(path, must_be(*parameter) + ".");
+        throw error(path, must_be(*find(path)) + ".");
       }
   }
 
@@ -324,7 +334,7 @@ namespace magmpm
   ParameterRegister::set_printed_value(const std::string &path, const std::string &value)
   {
     std::vector<std::string> names = dealii::Utilities::split_string_list(path, '/');
-    const std::string        name  = names.back();
+    const std::string name         = names.back();
     names.pop_back();
 
     const auto leave_subsections = [&]() {
@@ -352,23 +362,37 @@ namespace magmpm
     return !values.at(path).empty();
   }
 
+  std::string
+  ParameterRegister::where(const std::string &path) const
+  {
+    const auto origin = origins.find(path);
+    return (origin == origins.end() ? file_name : origin->second) + ": " + path;
+  }
+
   InputError
   ParameterRegister::error(const std::string &path, const std::string &explanation) const
   {
-    const auto        origin = origins.find(path);
-    const std::string value  = values.at(path);
-    return InputError((origin == origins.end() ? file_name : origin->second) + ": " + path +
-                      (value.empty() ? " is not given: " : " = " + value + ": ") + explanation);
+    const std::string &value = values.at(path);
+    return InputError(where(path) + (value.empty() ? " is not given: " : " = " + value + ": ") +
+                      explanation);
   }
 
   std::string
   ParameterRegister::print() const
   {
     std::ostringstream text;
-    handler->print_parameters(text,
-                              dealii::ParameterHandler::PRM |
-                                dealii::ParameterHandler::KeepDeclarationOrder);
+    handler->print_parameters(
+      text, dealii::ParameterHandler::PRM | dealii::ParameterHandler::KeepDeclarationOrder);
     return text.str();
+  }
+
+  bool
+  ParameterRegister::has_section(const std::string &section) const
+  {
+    return section.empty() ||
+           std::any_of(declared.begin(), declared.end(), [&](const DeclaredParameter &parameter) {
+             return (parameter.section + "/").rfind(section + "/", 0) == 0;
+           });
   }
 
   const DeclaredParameter *
@@ -393,7 +417,7 @@ namespace magmpm
   std::vector<std::string>
   ParameterRegister::subsections_in(const std::string &section) const
   {
-    const std::string        prefix = section.empty() ? "" : section + "/";
+    const std::string prefix = section.empty() ? "" : section + "/";
     std::vector<std::string> names;
     for (const DeclaredParameter &parameter : declared)
       if (parameter.section.size() > prefix.size() && parameter.section.rfind(prefix, 0) == 0)
@@ -426,12 +450,11 @@ namespace magmpm
         if (std::find(known.begin(), known.end(), name) == known.end())
           {
             const std::string list = list_of_names(section);
-            return InputError(entry.origin + ": there is no subsection '" + name + "'" +
-                              in_subsection(section) +
-                              (list.empty() ? "" :
-                                              " because '" + list + "' is '" + values.at(list) +
-                                                "', without it") +
-                              did_you_mean(name, known));
+            return InputError(
+              entry.origin + ": there is no subsection '" + name + "'" + in_subsection(section) +
+              (list.empty() ? ""
+                            : " because '" + list + "' is '" + values.at(list) + "', without it") +
+              did_you_mean(name, known));
           }
         section = join(section, name);
       }
@@ -441,10 +464,6 @@ namespace magmpm
   InputError
   ParameterRegister::unknown_parameter(const ParameterEntry &entry) const
   {
-    if (!entry.section.empty() && names_in(entry.section).empty() &&
-        subsections_in(entry.section).empty())
-      return unknown_subsection(entry);
-
     const std::string start = entry.origin + ": there is no parameter '" + entry.name + "'" +
                               in_subsection(entry.section);
     const auto reason = refused.find(entry.path());

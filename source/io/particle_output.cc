@@ -5,7 +5,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <filesystem>
-#include <limits>
+#include <fstream>
 
 namespace magmpm
 {
@@ -94,6 +94,31 @@ namespace magmpm
                          0) = static_cast<float>(quantity.values[p * quantity.n_components + c]);
         }
     }
+    /**
+     * Writes the file of a frame without particles. deal.II (9.4) leaves the points out of it, and
+     * VTK, thus ParaView, reports an error when it reads such a file.
+     */
+    void
+    write_empty_vtu(const std::string &path, const std::vector<ParticleQuantity> &quantities)
+    {
+      const auto empty_array = [](const std::string &type, const std::string &attributes) {
+        return "<DataArray type=\"" + type + "\" " + attributes + " format=\"ascii\"/>\n";
+      };
+      std::ofstream file(path);
+      file << "<?xml version=\"1.0\"?>\n"
+           << "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
+           << "<UnstructuredGrid>\n<Piece NumberOfPoints=\"0\" NumberOfCells=\"0\">\n"
+           << "<Points>\n"
+           << empty_array("Float32", "NumberOfComponents=\"3\"") << "</Points>\n<Cells>\n"
+           << empty_array("Int32", "Name=\"connectivity\"")
+           << empty_array("Int32", "Name=\"offsets\"") << empty_array("UInt8", "Name=\"types\"")
+           << "</Cells>\n<PointData>\n";
+      for (const ParticleQuantity &quantity : quantities)
+        file << empty_array("Float32",
+                            "Name=\"" + written_name(quantity) + "\" NumberOfComponents=\"" +
+                              (quantity.n_components > 1 ? "3" : "1") + '"');
+      file << "</PointData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+    }
   } // namespace
 
   template <int dim>
@@ -128,18 +153,26 @@ namespace magmpm
 
     // best_compression, deal.II's default, takes several times as long for a few percent of space.
     dealii::DataOutBase::VtkFlags flags;
-    flags.time              = time;
-    flags.cycle             = frame;
-    flags.compression_level = dealii::DataOutBase::VtkFlags::best_speed;
+    flags.time                = time;
+    flags.cycle               = frame;
+    flags.print_date_and_time = false; // equal runs, equal files
+    flags.compression_level   = dealii::DataOutBase::VtkFlags::best_speed;
     output.set_flags(flags);
 
     const unsigned int n_digits = 4;
     const unsigned int n_groups = 1; // one file a frame, whatever the number of ranks
-    const std::string pvtu      = output.write_vtu_with_pvtu_record(
-      directory + "/" + subfolder + "/", "particles", frame, communicator, n_digits, n_groups);
+    const std::string folder    = directory + "/" + subfolder + "/";
+    const std::string pvtu =
+      output.write_vtu_with_pvtu_record(folder, subfolder, frame, communicator, n_digits, n_groups);
 
+    const auto n_particles = dealii::Utilities::MPI::sum(positions.size(), communicator);
     if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-      record.add(time, subfolder + "/" + pvtu);
+      {
+        if (n_particles == 0)
+          write_empty_vtu(folder + std::filesystem::path(pvtu).stem().string() + ".0.vtu",
+                          quantities);
+        record.add(time, subfolder + "/" + pvtu);
+      }
   }
 
   template class ParticleOutput<2>;

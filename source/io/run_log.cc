@@ -47,11 +47,11 @@ namespace magmpm
       if (!magnetic.is_magnetic())
         return "not magnetic";
 
-      const std::string susceptibility = with_prefix(magnetic.initial_susceptibility, "");
+      const std::string susceptibility = three_digits(magnetic.initial_susceptibility);
       if (body.magnetization_law == MagnetizationLaw::linear)
-        return "linear, chi = " + susceptibility.substr(0, susceptibility.find(' '));
-      return "Langevin, chi_0 = " + susceptibility.substr(0, susceptibility.find(' ')) +
-             ", saturation " + with_prefix(magnetic.saturation_magnetization, "A/m");
+        return "linear, chi = " + susceptibility;
+      return "Langevin, chi_0 = " + susceptibility + ", saturation " +
+             with_prefix(magnetic.saturation_magnetization, "A/m");
     }
 
     /** Digits after the point of t that tell one frame from the next, and one more. */
@@ -149,6 +149,7 @@ namespace magmpm
 #endif
     *both << std::flush;
 
+    has_potential = (scene.potential_unknowns > 0);
     // What came before (seeding, the first mesh) shall not count as part of the first frame.
     frame_ends = {Clock::now()};
   }
@@ -175,8 +176,10 @@ namespace magmpm
          << std::setw(11) << '(' + frame.limit + ')' << std::right;
     if (frame.n_solves > 0)
       line << "  Newton " << std::setw(2) << frame.newton << ", CG " << std::setw(3) << frame.cg;
+    else if (has_potential)
+      line << "  field unchanged  ";
     line << "  |v| < " << std::setw(9) << with_prefix(frame.max_speed, "m/s") << "  ";
-    line << std::defaultfloat << std::setprecision(3) << seconds_per_frame() << " s/frame";
+    line << std::setw(5) << three_digits(seconds_per_frame()) << " s/frame";
     if (n_left > 0.)
       line << ", about " << duration(n_left * seconds_per_frame()) << " left";
     *both << line.str() << std::endl;

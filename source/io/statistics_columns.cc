@@ -51,6 +51,8 @@ namespace magmpm
                                              {"limit of dt", ""},
                                              {"particles", ""},
                                              {"lost particles", ""},
+                                             {"migrated particles", ""},
+                                             {"fewest particles on a rank", ""},
                                              {"kinetic energy", Unit::energy},
                                              {"elastic energy", Unit::energy},
                                              {"gravitational energy", Unit::energy},

@@ -18,16 +18,6 @@ namespace magmpm
     {
       return content[susceptibility] > 0.;
     }
-
-    template <int dim>
-    Index<dim>
-    point_index(int point)
-    {
-      Index<dim> index;
-      for (int d = 0; d < dim; ++d, point /= n_points_1d)
-        index[d] = point % n_points_1d;
-      return index;
-    }
   } // namespace
 
   template <int dim>
@@ -42,8 +32,17 @@ namespace magmpm
     this->law = law;
     cells.assign(lattice_cells.size(), Cell());
     points.clear();
-    weight       = 0.;
+    total_weight = 0.;
     first_moment = Vector<dim>();
+    for (int q = 0; q < n_points<dim>; ++q)
+      {
+        weights[q] = 1.;
+        for (int d = 0, rest = q; d < dim; ++d, rest /= n_points_1d)
+          {
+            weights[q] *= lattice.spacing * CellStencil<dim>::weights_1d[rest % n_points_1d];
+            positions[q][d] = lattice.spacing * CellStencil<dim>::points_1d[rest % n_points_1d];
+          }
+      }
 
     StencilValues<dim> nodes;
     PointValues<dim>   values;
@@ -85,14 +84,7 @@ namespace magmpm
         if (!is_magnetic(lanes))
           continue;
 
-        Vector<dim>      position   = corner;
-        double           volume     = 1.;
-        const Index<dim> index      = point_index<dim>(q);
-        for (int d = 0; d < dim; ++d)
-          {
-            position[d] += lattice.spacing * CellStencil<dim>::points_1d[index[d]];
-            volume *= lattice.spacing * CellStencil<dim>::weights_1d[index[d]];
-          }
+        const Vector<dim> position             = corner + positions[q];
         point.content.saturation_magnetization = lanes[saturation];
         point.content.initial_susceptibility   = lanes[susceptibility];
         point.volume_fraction                  = lanes[ContentLane::volume];
@@ -100,8 +92,8 @@ namespace magmpm
         point.gradient                         = sources.field_gradient(position);
 
         const double magnetization = norm(response(size() - 1, Vector<dim>()).magnetization);
-        weight += volume * magnetization;
-        first_moment += (volume * magnetization) * position;
+        total_weight += weights[q] * magnetization;
+        first_moment += (weights[q] * magnetization) * position;
       }
   }
 

@@ -121,7 +121,8 @@ namespace magmpm
           if (!cell->at_boundary(2 * axis))
             return false;
         matrix.reinit(n_dofs, n_dofs);
-        matrix(0, 0) = std::pow(cell->extent_in_direction(0), dim - 2);
+        // The same number on all levels, as it belongs to one value of the potential.
+        matrix(0, 0) = std::pow(upper_corner[0] - lower_corner[0], dim - 2);
         return true;
       }
 

@@ -65,46 +65,46 @@ namespace magmpm
   }
 
   template <int dim, typename Number>
-  void
+  typename PotentialOperator<dim, Number>::Lanes
   PotentialOperator<dim, Number>::boundary_product(const unsigned int batch,
                                                    const Lanes       *values,
                                                    Lanes             *product) const
   {
+    std::fill_n(product, n_cell_dofs, Lanes(Number(0.)));
+    Lanes quadratic_form = Number(0.);
+    if (first_matrix[batch] == invalid_entry)
+      return quadratic_form;
+
     const Lanes *row = matrices.data() + first_matrix[batch];
     for (unsigned int i = 0; i < n_cell_dofs; ++i, row += n_cell_dofs)
       {
-        Lanes sum = row[0] * values[0];
-        for (unsigned int j = 1; j < n_cell_dofs; ++j)
-          sum += row[j] * values[j];
-        product[i] = sum;
+        for (unsigned int j = 0; j < n_cell_dofs; ++j)
+          product[i] += row[j] * values[j];
+        quadratic_form += product[i] * values[i];
       }
+    return quadratic_form;
   }
 
   template <int dim, typename Number>
   void
   PotentialOperator<dim, Number>::apply_to_cell(Evaluation &u) const
   {
-    const unsigned int batch           = u.get_current_cell_index();
-    const bool         is_at_boundary  = has_boundary_matrix(batch);
-    const bool         is_material     = first_tensor[batch] != invalid_entry;
-    Lanes              boundary_part[n_cell_dofs];
-
     // integrate() below overwrites the values of the cell.
-    if (is_at_boundary)
-      boundary_product(batch, u.begin_dof_values(), boundary_part);
+    const unsigned int batch = u.get_current_cell_index();
+    Lanes              boundary_part[n_cell_dofs];
+    boundary_product(batch, u.begin_dof_values(), boundary_part);
 
     u.evaluate(dealii::EvaluationFlags::gradients);
-    if (is_material)
-      for (unsigned int q = 0; q < n_points<dim>; ++q)
-        u.submit_gradient(tensors[first_tensor[batch] + q] * u.get_gradient(q), q);
-    else
+    if (first_tensor[batch] == invalid_entry)
       for (unsigned int q = 0; q < n_points<dim>; ++q)
         u.submit_gradient(u.get_gradient(q), q);
+    else
+      for (unsigned int q = 0; q < n_points<dim>; ++q)
+        u.submit_gradient(tensors[first_tensor[batch] + q] * u.get_gradient(q), q);
     u.integrate(dealii::EvaluationFlags::gradients);
 
-    if (is_at_boundary)
-      for (unsigned int i = 0; i < n_cell_dofs; ++i)
-        u.begin_dof_values()[i] += boundary_part[i];
+    for (unsigned int i = 0; i < n_cell_dofs; ++i)
+      u.begin_dof_values()[i] += boundary_part[i];
   }
 
   template <int dim, typename Number>

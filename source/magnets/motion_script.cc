@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <iostream>
 #include <map>
 #include <sstream>
 #include <vector>
@@ -75,19 +76,40 @@ namespace magmpm
              (dim == 3 ? "0.5; 0.5; 0.2 + 0.1*t" : "0.5; 0.2 + 0.1*t") + "'";
     }
 
-    /** What deal.II says of an error, without the place in its source. */
+    /** What the parser said, without what deal.II puts around it (which names a wrong column). */
     std::string
     reason(const dealii::ExceptionBase &error)
     {
       std::ostringstream stream;
       error.print_info(stream);
-      std::string text = stream.str();
+      std::string text       = stream.str();
+      const std::string mark = "The parser said: ";
+      const auto said        = text.find(mark);
+      text                   = said == std::string::npos ? text : text.substr(said + mark.size());
       std::replace(text.begin(), text.end(), '\n', ' ');
-      const auto first = text.find_first_not_of(' ');
-      return first == std::string::npos
-               ? ""
-               : text.substr(first, text.find_last_not_of(' ') - first + 1);
+      return text.substr(0, text.find_last_not_of(" .") + 1) + '.';
     }
+
+    /** deal.II prints parser errors on standard error besides throwing them: not as long as this lives. */
+    class QuietErrorStream
+    {
+    public:
+      QuietErrorStream()
+        : terminal(std::cerr.rdbuf(unheard.rdbuf()))
+      {
+      }
+
+      ~QuietErrorStream()
+      {
+        std::cerr.rdbuf(terminal);
+      }
+
+      QuietErrorStream(const QuietErrorStream &) = delete;
+
+    private:
+      std::ostringstream unheard;
+      std::streambuf *terminal;
+    };
   } // namespace
 
   /** Keeps the parser and its headers out of motion_script.h. */
@@ -119,9 +141,10 @@ namespace magmpm
 
     try
       {
+        const QuietErrorStream quiet;
         implementation->parser.initialize("t", components, {{"pi", constants::pi}});
-        // The parser reads the expressions only when it is asked for a value.
-        implementation->parser.value(dealii::Point<1>(0.));
+        // The parser reads an expression only when it is asked for its value.
+        value(0.);
       }
     catch (const dealii::ExceptionBase &error)
       {
@@ -129,7 +152,6 @@ namespace magmpm
                expression,
                "cannot be read: " + reason(error) + " Give " + advice<dim>() + "; pi is known.");
       }
-    value(0.);
   }
 
   template <int dim>

@@ -421,7 +421,7 @@ namespace magmpm
   interpolate_to_particles(const NodeField<dim>   &field,
                            const BlockSet<dim>    &blocks,
                            const Lattice<dim>     &lattice,
-                           const ParticleQuantity  quantity,
+                           const ParticleProperty  quantity,
                            std::vector<Body<dim>> &bodies)
   {
     Arena<dim> arena;
@@ -448,7 +448,7 @@ namespace magmpm
   template void magnetic_content_to_lattice<dim>(                                                  \
     std::vector<Body<dim>> &, const BlockSet<dim> &, const Lattice<dim> &, NodeField<dim> &);      \
   template void interpolate_to_particles<dim>(                                                     \
-    const NodeField<dim> &, const BlockSet<dim> &, const Lattice<dim> &, ParticleQuantity, std::vector<Body<dim>> &);
+    const NodeField<dim> &, const BlockSet<dim> &, const Lattice<dim> &, ParticleProperty, std::vector<Body<dim>> &);
 
   INSTANTIATE(2)
   INSTANTIATE(3)

@@ -14,7 +14,7 @@ namespace magmpm
                        is_magnetic ? dim : 0}
   {
     int n = 0;
-    for (int q = 0; q < n_particle_quantities; ++q)
+    for (int q = 0; q < n_particle_properties; ++q)
       {
         first_component[q] = n;
         n += component_counts[q];
@@ -36,18 +36,18 @@ namespace magmpm
   ParticleSet<dim>::arrays()
   {
     ParticleArrays<dim> arrays = {};
-    const auto          assign = [this](const ParticleQuantity quantity, double **pointers) {
+    const auto          assign = [this](const ParticleProperty quantity, double **pointers) {
       for (int c = 0; c < n_components(quantity); ++c)
         pointers[c] = component(quantity, c);
     };
-    assign(ParticleQuantity::position, arrays.position);
-    assign(ParticleQuantity::velocity, arrays.velocity);
-    assign(ParticleQuantity::affine_velocity, arrays.affine_velocity);
-    assign(ParticleQuantity::deformation, arrays.deformation);
-    assign(ParticleQuantity::mass, &arrays.mass);
-    assign(ParticleQuantity::volume, &arrays.volume);
-    assign(ParticleQuantity::magnetic_acceleration, arrays.magnetic_acceleration);
-    assign(ParticleQuantity::magnetic_field, arrays.magnetic_field);
+    assign(ParticleProperty::position, arrays.position);
+    assign(ParticleProperty::velocity, arrays.velocity);
+    assign(ParticleProperty::affine_velocity, arrays.affine_velocity);
+    assign(ParticleProperty::deformation, arrays.deformation);
+    assign(ParticleProperty::mass, &arrays.mass);
+    assign(ParticleProperty::volume, &arrays.volume);
+    assign(ParticleProperty::magnetic_acceleration, arrays.magnetic_acceleration);
+    assign(ParticleProperty::magnetic_field, arrays.magnetic_field);
     return arrays;
   }
 

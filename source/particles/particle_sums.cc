@@ -15,7 +15,7 @@ namespace magmpm
       Matrix<dim> affine;
       for (int i = 0; i < dim; ++i)
         for (int j = 0; j < dim; ++j)
-          affine(i, j) = particles.component(ParticleQuantity::affine_velocity, dim * i + j)[p];
+          affine(i, j) = particles.component(ParticleProperty::affine_velocity, dim * i + j)[p];
       return affine;
     }
 
@@ -28,10 +28,10 @@ namespace magmpm
         {
           for (int i = 0; i < dim; ++i)
             for (int j = 0; j < dim; ++j)
-              state(i, j) = particles.component(ParticleQuantity::deformation, dim * i + j)[p];
+              state(i, j) = particles.component(ParticleProperty::deformation, dim * i + j)[p];
         }
       else
-        state = particles.component(ParticleQuantity::deformation, 0)[p];
+        state = particles.component(ParticleProperty::deformation, 0)[p];
       return state;
     }
 
@@ -55,14 +55,14 @@ namespace magmpm
                   ParticleSums<dim>     &sums)
     {
       const ParticleSet<dim> &particles    = body.particles;
-      const double            mass         = particles.component(ParticleQuantity::mass, 0)[p];
-      const double            volume       = volume_ratio * particles.component(ParticleQuantity::volume, 0)[p];
-      const Vector<dim>       acceleration = particles.vector(ParticleQuantity::magnetic_acceleration, p);
+      const double            mass         = particles.component(ParticleProperty::mass, 0)[p];
+      const double            volume       = volume_ratio * particles.component(ParticleProperty::volume, 0)[p];
+      const Vector<dim>       acceleration = particles.vector(ParticleProperty::magnetic_acceleration, p);
       const Vector<dim>       magnetization = particle_magnetization(body, law, p);
       const double            strength      = norm(magnetization);
       sums.magnetic_force += mass * acceleration;
       sums.magnetic_moment += volume * magnetization;
-      sums.max_field = std::max(sums.max_field, norm(particles.vector(ParticleQuantity::magnetic_field, p)));
+      sums.max_field = std::max(sums.max_field, norm(particles.vector(ParticleProperty::magnetic_field, p)));
       sums.max_magnetization         = std::max(sums.max_magnetization, strength);
       sums.max_magnetic_acceleration = std::max(sums.max_magnetic_acceleration, norm(acceleration));
       sums.max_magnetic_wave_speed =
@@ -125,7 +125,7 @@ namespace magmpm
     return magnetization(law,
                          MagneticContent{dilution * body.magnetic.saturation_magnetization,
                                          dilution * body.magnetic.initial_susceptibility},
-                         body.particles.vector(ParticleQuantity::magnetic_field, p));
+                         body.particles.vector(ParticleProperty::magnetic_field, p));
   }
 
   template <int dim>
@@ -136,15 +136,15 @@ namespace magmpm
                 const MagnetizationLaw law)
   {
     const ParticleSet<dim> &particles     = body.particles;
-    const double           *masses        = particles.component(ParticleQuantity::mass, 0);
-    const double           *volumes       = particles.component(ParticleQuantity::volume, 0);
+    const double           *masses        = particles.component(ParticleProperty::mass, 0);
+    const double           *volumes       = particles.component(ParticleProperty::volume, 0);
     const double            affine_factor = 0.25 * lattice.spacing * lattice.spacing;
     ParticleSums<dim>       sums;
     for (std::size_t p = 0; p < particles.size(); ++p)
       {
         const double      mass     = masses[p];
         const Vector<dim> position = particles.position(p);
-        const Vector<dim> velocity = particles.vector(ParticleQuantity::velocity, p);
+        const Vector<dim> velocity = particles.vector(ParticleProperty::velocity, p);
         const double      square   = norm_square(velocity);
         sums.n_particles += 1.;
         sums.mass += mass;

@@ -53,12 +53,12 @@ namespace magmpm
       const Vector<dim> velocity = parameters.velocity + rotation_velocity<dim>(parameters.angular_velocity, r);
       for (int d = 0; d < dim; ++d)
         {
-          particles.component(ParticleQuantity::velocity, d)[p] = velocity[d];
+          particles.component(ParticleProperty::velocity, d)[p] = velocity[d];
           Vector<dim> direction;
           direction[d]              = 1.;
           const Vector<dim> derivative = rotation_velocity<dim>(parameters.angular_velocity, direction);
           for (int c = 0; c < dim; ++c)
-            particles.component(ParticleQuantity::affine_velocity, dim * c + d)[p] = derivative[c];
+            particles.component(ParticleProperty::affine_velocity, dim * c + d)[p] = derivative[c];
         }
     }
   } // namespace
@@ -143,16 +143,16 @@ namespace magmpm
           particles.resize(p + 1);
           particles.ids()[p] = id;
           for (int d = 0; d < dim; ++d)
-            particles.component(ParticleQuantity::position, d)[p] =
+            particles.component(ParticleProperty::position, d)[p] =
               position[d] + parameters.jitter * places.spacing * random_offset(dim * id + d);
           set_motion(parameters, centre, p, particles);
           const double volume = std::pow(places.spacing, dim);
-          particles.component(ParticleQuantity::volume, 0)[p] = volume;
-          particles.component(ParticleQuantity::mass, 0)[p]   = parameters.density * volume;
+          particles.component(ParticleProperty::volume, 0)[p] = volume;
+          particles.component(ParticleProperty::mass, 0)[p]   = parameters.density * volume;
           // The undeformed state: the identity, or J = 1.
-          const int n_deformation = particles.n_components(ParticleQuantity::deformation);
+          const int n_deformation = particles.n_components(ParticleProperty::deformation);
           for (int c = 0; c < n_deformation; c += dim + 1)
-            particles.component(ParticleQuantity::deformation, c)[p] = 1.;
+            particles.component(ParticleProperty::deformation, c)[p] = 1.;
         }
   }
 

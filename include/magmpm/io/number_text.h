@@ -9,6 +9,10 @@ namespace magmpm
   std::string
   with_separators(const unsigned long value);
 
+  /** 0.91234 as "0.912": three digits. */
+  std::string
+  three_digits(const double value);
+
   /** 0.0078125, "m" as "7.81 mm": three digits and a prefix from n (nano) to G (giga). */
   std::string
   with_prefix(const double value, const std::string &unit);

@@ -25,11 +25,11 @@ namespace magmpm
   template <int dim>
   struct ParameterInput
   {
-    int                        dimension = dim;
-    Vector<dim>                lower_corner, upper_corner;
-    double                     cell_size = 0.;
-    double                     temperature = 300.;
-    std::vector<std::string>   body_names, material_names, magnet_names;
+    int dimension = dim;
+    Vector<dim> lower_corner, upper_corner;
+    double cell_size   = 0.;
+    double temperature = 300.;
+    std::vector<std::string> body_names, material_names, magnet_names;
     std::vector<MaterialInput> materials; ///< in the order of material_names
   };
 
@@ -39,7 +39,7 @@ namespace magmpm
    */
   template <int dim>
   void
-  declare_parameters(ParameterRegister   &declarations,
+  declare_parameters(ParameterRegister &declarations,
                      ParameterInput<dim> &input,
-                     Parameters<dim>     &parameters);
+                     Parameters<dim> &parameters);
 } // namespace magmpm

@@ -28,7 +28,7 @@ namespace magmpm
    */
   struct ParameterFile
   {
-    std::string                 name; ///< as the user typed it
+    std::string name; ///< as the user typed it
     std::vector<ParameterEntry> entries;
 
     /** The lines "subsection ...", used or not: section and origin only. */
@@ -37,9 +37,9 @@ namespace magmpm
     /** The text of the file; what the command line set follows at the end, as lines that set it. */
     std::string text;
 
-    /** The value that counts, that is the last one, or @p fallback if there is none. */
-    std::string
-    value(const std::string &path, const std::string &fallback) const;
+    /** The entry of that path that counts, which is the last one, or a null pointer. */
+    const ParameterEntry *
+    last_entry(const std::string &path) const;
 
     /** "output-<name>" of a file ".../<name>.prm". */
     std::string
@@ -54,8 +54,8 @@ namespace magmpm
    * @throw InputError  names file, line and what stands there.
    */
   ParameterFile
-  parse_parameter_text(const std::string              &text,
-                       const std::string              &name,
+  parse_parameter_text(const std::string &text,
+                       const std::string &name,
                        const std::vector<std::string> &overrides = {});
 
   /** The same for the file @p name. @throw InputError also if it cannot be read. */

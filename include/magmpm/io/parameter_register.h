@@ -27,10 +27,10 @@ namespace magmpm
   /** Which numbers a parameter allows. */
   struct NumberRange
   {
-    double minimum          = -std::numeric_limits<double>::infinity();
-    double maximum          = std::numeric_limits<double>::infinity();
-    bool   minimum_excluded = false;
-    bool   maximum_excluded = false;
+    double minimum        = -std::numeric_limits<double>::infinity();
+    double maximum        = std::numeric_limits<double>::infinity();
+    bool minimum_excluded = false;
+    bool maximum_excluded = false;
 
     bool
     contains(const double number) const;
@@ -61,7 +61,7 @@ namespace magmpm
     std::string range; ///< in words: "a number > 0"
     std::string unit;  ///< "kg/m^3"; "-" if it has none
     std::string text;
-    Presence    presence;
+    Presence presence;
   };
 
   /**
@@ -92,7 +92,7 @@ namespace magmpm
 
     private:
       ParameterRegister &parameters;
-      const std::string  outer;
+      const std::string outer;
     };
 
     [[nodiscard]] Section
@@ -103,15 +103,15 @@ namespace magmpm
 
     void
     add(const std::string &name,
-        double            &variable,
+        double &variable,
         const std::string &unit,
         const std::string &text,
-        const NumberRange &range    = any_number,
-        const Presence     presence = Presence::has_default);
+        const NumberRange &range = any_number,
+        const Presence presence  = Presence::has_default);
 
     void
     add(const std::string &name,
-        int               &variable,
+        int &variable,
         const std::string &unit,
         const std::string &text,
         const NumberRange &range);
@@ -119,10 +119,10 @@ namespace magmpm
     template <int n>
     void
     add(const std::string &name,
-        Vector<n>         &variable,
+        Vector<n> &variable,
         const std::string &unit,
         const std::string &text,
-        const Presence     presence = Presence::has_default)
+        const Presence presence = Presence::has_default)
     {
       add_numbers(name, variable.values, n, unit, text, any_number, presence);
     }
@@ -133,21 +133,21 @@ namespace magmpm
     /** Any text. @param unit  of numbers in it. */
     void
     add(const std::string &name,
-        std::string       &variable,
+        std::string &variable,
         const std::string &unit,
         const std::string &text,
-        const Presence     presence = Presence::has_default);
+        const Presence presence = Presence::has_default);
 
     /** One of several names, each of which stands for a value. */
     template <typename Value>
     void
-    add(const std::string                                 &name,
-        Value                                             &variable,
+    add(const std::string &name,
+        Value &variable,
         const std::vector<std::pair<std::string, Value>> &choices,
-        const std::string                                 &text)
+        const std::string &text)
     {
       std::vector<std::string> names;
-      std::string              default_name;
+      std::string default_name;
       for (const auto &choice : choices)
         {
           names.push_back(choice.first);
@@ -163,10 +163,10 @@ namespace magmpm
 
     /** A list of names, separated by commas. @param choices  those allowed; empty: all. */
     void
-    add(const std::string              &name,
-        std::vector<std::string>       &variable,
+    add(const std::string &name,
+        std::vector<std::string> &variable,
         const std::vector<std::string> &choices,
-        const std::string              &text);
+        const std::string &text);
 
     /** Says why the parameter @p name, not declared in this case, does not exist. */
     void
@@ -196,6 +196,10 @@ namespace magmpm
     InputError
     error(const std::string &path, const std::string &explanation) const;
 
+    /** Where the value of a declared parameter comes from: "cube.prm, line 12: Bodies/cube/Density". */
+    std::string
+    where(const std::string &path) const;
+
     /** All values in the language of parameter files, with texts and defaults as comments. */
     std::string
     print() const;
@@ -208,37 +212,44 @@ namespace magmpm
 
   private:
     std::unique_ptr<dealii::ParameterHandler> handler;
-    std::vector<DeclaredParameter>            declared;
-    std::map<std::string, std::string>        refused; ///< reasons by path
-    std::string                               current_section;
+    std::vector<DeclaredParameter> declared;
+    std::map<std::string, std::string> refused; ///< reasons by path
+    std::string current_section;
 
-    std::string                        file_name;
+    std::string file_name;
     std::map<std::string, std::string> values;  ///< by path
     std::map<std::string, std::string> origins; ///< by path, of those in the file
 
     void
     add_numbers(const std::string &name,
-                double            *variable,
-                const int          n,
+                double *variable,
+                const int n,
                 const std::string &unit,
                 const std::string &text,
                 const NumberRange &range,
-                const Presence     presence);
+                const Presence presence);
 
     void
-    add_choice(const std::string                              &name,
-               const std::string                              &default_name,
-               const std::vector<std::string>                 &names,
-               const std::string                              &text,
+    add_choice(const std::string &name,
+               const std::string &default_name,
+               const std::vector<std::string> &names,
+               const std::string &text,
                const std::function<void(const std::string &)> &action);
 
     void
-    declare(const DeclaredParameter                        &parameter,
-            const dealii::Patterns::PatternBase            &pattern,
+    declare(const DeclaredParameter &parameter,
+            const dealii::Patterns::PatternBase &pattern,
             const std::function<void(const std::string &)> &action);
+
+    /** Throws an InputError if @p file has a name that is not declared. */
+    void
+    check_names(const ParameterFile &file) const;
 
     void
     apply(const ParameterEntry &entry);
+
+    bool
+    has_section(const std::string &section) const;
 
     /** The declared parameter of that path, or a null pointer. */
     const DeclaredParameter *

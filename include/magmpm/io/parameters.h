@@ -23,21 +23,21 @@ namespace magmpm
   template <int dim>
   struct Parameters
   {
-    Lattice<dim> lattice;        ///< of the mechanical box
-    double       end_time = 0.;  ///< [s]
-    Vector<dim>  gravity;        ///< [m/s^2]
+    Lattice<dim> lattice; ///< of the mechanical box
+    double end_time = 0.; ///< [s]
+    Vector<dim> gravity;  ///< [m/s^2]
 
-    std::vector<BodyParameters<dim>>   bodies;
-    std::vector<MaterialParameters>    materials;
+    std::vector<BodyParameters<dim>> bodies;
+    std::vector<MaterialParameters> materials;
     std::vector<SourceParameters<dim>> sources;
 
-    WallParameters<dim>      walls;
-    MeshParameters<dim>      mesh;
+    WallParameters<dim> walls;
+    MeshParameters<dim> mesh;
     MagneticsParameters<dim> magnetics;
-    TimeStepParameters       time_step;
-    SolveTriggerParameters   solve_trigger;
-    RunawayLimits            runaway_limits;
-    OutputParameters         output;
+    TimeStepParameters time_step;
+    SolveTriggerParameters solve_trigger;
+    RunawayLimits runaway_limits;
+    OutputParameters output;
 
     /** What is allowed but probably not meant, to be told to the user. */
     std::vector<std::string> warnings;

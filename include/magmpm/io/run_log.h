@@ -112,7 +112,8 @@ namespace magmpm
     const unsigned int n_frames;
     const double frame_interval;
     const std::string directory;
-    int n_ranks = 1;
+    int n_ranks        = 1;
+    bool has_potential = false; ///< whether the scene has one, as the header said
 
     class Splitter;
     std::ofstream file;

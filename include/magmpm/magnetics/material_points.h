@@ -86,6 +86,13 @@ namespace magmpm
       return points[point].gradient;
     }
 
+    /** Of the quadrature point @p q (0 .. n_points - 1) of every cell; they sum to (2 dx)^dim. */
+    double
+    weight(const int q) const
+    {
+      return weights[q];
+    }
+
     double
     volume_fraction(const unsigned int point) const
     {
@@ -96,7 +103,7 @@ namespace magmpm
     std::pair<double, Vector<dim>>
     magnetized_weight() const
     {
-      return {weight, first_moment};
+      return {total_weight, first_moment};
     }
 
   private:
@@ -119,8 +126,11 @@ namespace magmpm
     MagnetizationLaw   law;
     std::vector<Cell>  cells;
     std::vector<Point> points;
-    double             weight = 0.;
+    double             total_weight = 0.;
     Vector<dim>        first_moment;
+
+    std::array<double, n_points<dim>>      weights;
+    std::array<Vector<dim>, n_points<dim>> positions; ///< from the lower node of a cell [m]
 
     void
     add_cell(const Index<dim>         &lower_node,

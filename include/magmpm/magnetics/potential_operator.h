@@ -54,15 +54,14 @@ namespace magmpm
     void
     clear() override;
 
-    /** The element matrices at the boundary times the values of a cell: R_K u, or zero. */
-    void
+    /**
+     * The element matrices at the open boundary times the values of a batch of cells: R_K u, zero where
+     * there are none.
+     *
+     * @return u^T R_K u.
+     */
+    Lanes
     boundary_product(const unsigned int batch, const Lanes *values, Lanes *product) const;
-
-    bool
-    has_boundary_matrix(const unsigned int batch) const
-    {
-      return first_matrix[batch] != invalid_entry;
-    }
 
   private:
     std::vector<unsigned int> first_tensor; ///< in tensors, by batch; invalid_entry: K = I

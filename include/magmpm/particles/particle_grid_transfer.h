@@ -71,6 +71,6 @@ namespace magmpm
   interpolate_to_particles(const NodeField<dim>   &field,
                            const BlockSet<dim>    &blocks,
                            const Lattice<dim>     &lattice,
-                           const ParticleQuantity  quantity,
+                           const ParticleProperty  quantity,
                            std::vector<Body<dim>> &bodies);
 } // namespace magmpm

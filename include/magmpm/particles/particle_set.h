@@ -10,7 +10,7 @@
 namespace magmpm
 {
   /** What a particle carries. */
-  enum class ParticleQuantity : int
+  enum class ParticleProperty : int
   {
     position,
     velocity,
@@ -22,16 +22,16 @@ namespace magmpm
     magnetic_field ///< H at the last solve
   };
 
-  inline constexpr int n_particle_quantities = 8;
+  inline constexpr int n_particle_properties = 8;
 
-  /** Name and unit of each quantity, in the order of ParticleQuantity. */
-  struct ParticleQuantityInfo
+  /** Name and unit of each quantity, in the order of ParticleProperty. */
+  struct ParticlePropertyInfo
   {
     const char *name;
     const char *unit;
   };
 
-  inline constexpr std::array<ParticleQuantityInfo, n_particle_quantities> particle_quantity_info = {
+  inline constexpr std::array<ParticlePropertyInfo, n_particle_properties> particle_property_info = {
     {{"position", "m"},
      {"velocity", "m/s"},
      {"affine velocity", "1/s"},
@@ -80,19 +80,19 @@ namespace magmpm
 
     /** Components of a quantity that are stored; zero if it is not. */
     int
-    n_components(const ParticleQuantity quantity) const
+    n_components(const ParticleProperty quantity) const
     {
       return component_counts[static_cast<int>(quantity)];
     }
 
     double *
-    component(const ParticleQuantity quantity, const int c)
+    component(const ParticleProperty quantity, const int c)
     {
       return components[first_component[static_cast<int>(quantity)] + c].data();
     }
 
     const double *
-    component(const ParticleQuantity quantity, const int c) const
+    component(const ParticleProperty quantity, const int c) const
     {
       return components[first_component[static_cast<int>(quantity)] + c].data();
     }
@@ -113,11 +113,11 @@ namespace magmpm
     Vector<dim>
     position(const std::size_t p) const
     {
-      return vector(ParticleQuantity::position, p);
+      return vector(ParticleProperty::position, p);
     }
 
     Vector<dim>
-    vector(const ParticleQuantity quantity, const std::size_t p) const
+    vector(const ParticleProperty quantity, const std::size_t p) const
     {
       Vector<dim> result;
       for (int d = 0; d < dim; ++d)
@@ -146,8 +146,8 @@ namespace magmpm
     reorder(const std::vector<std::uint32_t> &order);
 
   private:
-    std::array<int, n_particle_quantities> component_counts;
-    std::array<int, n_particle_quantities> first_component;
+    std::array<int, n_particle_properties> component_counts;
+    std::array<int, n_particle_properties> first_component;
     std::vector<std::vector<double>>       components;
     std::vector<std::uint64_t>             identities;
     std::vector<double>                    reordered; ///< memory of reorder()

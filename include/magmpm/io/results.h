@@ -1,0 +1,123 @@
+#pragma once
+
+#include <magmpm/io/parameters.h>
+#include <magmpm/io/particle_output.h>
+#include <magmpm/io/run_log.h>
+#include <magmpm/io/statistics_file.h>
+#include <magmpm/magnetics/solve_report.h>
+#include <magmpm/particles/body.h>
+#include <magmpm/particles/particle_sums.h>
+
+#include <mpi.h>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace dealii
+{
+  class TimerOutput;
+}
+
+namespace magmpm
+{
+  template <int dim>
+  class FieldOutput;
+  template <int dim>
+  class PotentialProblem;
+  template <int dim>
+  class ExternalField;
+
+  /** Where a run is, and what its last step and solve did. */
+  struct RunState
+  {
+    double       time  = 0.; ///< [s]
+    unsigned int step  = 0;
+    unsigned int frame = 0;
+
+    double      time_step = 0.; ///< of the last step [s]
+    std::string limit     = "none";
+
+    std::size_t lost_particles     = 0; ///< so far, all ranks
+    std::size_t migrated_particles = 0; ///< so far, all ranks
+
+    double max_speed = 0.; ///< of a particle in the last step [m/s]
+
+    unsigned int n_solves           = 0; ///< of the potential, so far
+    unsigned int step_of_last_solve = 0;
+    bool         solved_this_step   = false;
+    SolveReport  last_solve;
+  };
+
+  /**
+   * The output folder of a run: original.prm, parameters.prm, log.txt, statistics.csv, and the
+   * frames particles.pvd and fields.pvd. All functions are collective.
+   */
+  template <int dim>
+  class Results
+  {
+  public:
+    /**
+     * Makes the folder and opens its files.
+     *
+     * @param phases  timer sections that are columns of the statistics.
+     * @throw RunError if the folder or a file cannot be made.
+     */
+    Results(const Parameters<dim>          &parameters,
+            const std::vector<std::string> &phases,
+            const MPI_Comm                  communicator);
+    ~Results();
+
+    RunLog &
+    log()
+    {
+      return run_log;
+    }
+
+    /** The first lines of the log. */
+    void
+    write_header(const std::vector<Body<dim>> &bodies, const unsigned long long n_potential_unknowns);
+
+    /** @param magnetics  null without magnetic material. */
+    void
+    write_frame(const RunState               &state,
+                const std::vector<Body<dim>> &bodies,
+                const PotentialProblem<dim>  *magnetics,
+                const ExternalField<dim>     &external_field);
+
+    /** The line of a frame on the terminal. */
+    void
+    report_frame(const RunState &state);
+
+    /**
+     * One row of statistics.csv.
+     *
+     * @param sums                    of each body, over all ranks.
+     * @param fewest_particles        held by a rank.
+     * @param seconds                 of each phase so far, on this rank.
+     */
+    void
+    write_statistics(const RunState                       &state,
+                     const std::vector<ParticleSums<dim>> &sums,
+                     const double                          fewest_particles,
+                     const std::map<std::string, double>  &seconds);
+
+    /** Makes sure that what was written survives an early end. */
+    void
+    flush();
+
+  private:
+    const Parameters<dim>          parameters;
+    const MPI_Comm                 communicator;
+    const std::vector<std::string> phases;
+
+    RunLog                            run_log;
+    StatisticsFile                    statistics;
+    ParticleOutput<dim>               particle_output;
+    std::unique_ptr<FieldOutput<dim>> field_output; ///< null without magnetic material
+
+    std::map<std::string, double> seconds_before;     ///< the last row, by phase
+    unsigned int                  solves_before = 0;  ///< the last line of the log
+  };
+} // namespace magmpm

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <magmpm/lattice/node_field.h>
+#include <magmpm/magnetics/magnetics_parameters.h>
+#include <magmpm/magnetics/solve_report.h>
+#include <magmpm/magnets/external_field.h>
+#include <magmpm/mesh/block_partition.h>
+
+#include <memory>
+
+namespace dealii
+{
+  class TimerOutput;
+}
+
+namespace magmpm
+{
+  template <int dim>
+  class PotentialFields;
+
+  /**
+   * The magnetic scalar potential of the scene: finds phi with h = -grad phi, H = H_ext + h and
+   *   div(h + M(H)) = 0,
+   * Eq. (13) of Sun et al. 2021, with FE_Q(2) on the mesh of the potential box, open or shielded faces,
+   * Newton's method with the exact tangent, and CG preconditioned by multigrid or ML. Sees material
+   * as node fields only.
+   *
+   * In 2D everything is infinite along z: forces are per metre of depth.
+   */
+  template <int dim>
+  class PotentialProblem
+  {
+  public:
+    /** All of these must outlive this object; the mesh may still be unrefined. */
+    PotentialProblem(const BackgroundMesh<dim>       &mesh,
+                     const BlockPartition<dim>       &partition,
+                     const MagneticsParameters<dim>  &parameters,
+                     dealii::TimerOutput             &timer);
+    ~PotentialProblem();
+
+    /**
+     * Solves for the present material and sources. Starts from the last potential, from zero after a
+     * change of the mesh, for which it sets everything up anew. Collective.
+     *
+     * @param content  on the nodes of the active blocks, ghosts updated: lanes {volume fraction v [-],
+     *                 density of saturation magnetization [A/m], of initial susceptibility [-], of
+     *                 grains [1/m^3]}, that is the sum over particles of N_i V_0 {1, M_s, chi_0, n} over dx^dim.
+     * @throw RunError if Newton's method or CG does not converge, with the residuals.
+     */
+    SolveReport
+    solve(const NodeField<dim> &content, const ExternalField<dim> &sources);
+
+    /**
+     * The magnetic force on the material at the last solve:
+     *   f_i = mu_0 int [-h ((h + M).grad N_i) + |h|^2/2 grad N_i] + int N_i mu_0 (M.grad) H_ext,
+     * what the material does to itself and what the sources do to it; N_i are the B-splines of the
+     * particles. Force that falls on the two layers of nodes around those with mass is handed inward,
+     * so that the total is that on the material. The partition must be that of the last solve. Collective.
+     *
+     * @param mass   lane 3 is the mass of the nodes, ghosts updated.
+     * @param force  lanes f_x f_y f_z [N] on nodes with mass, ghosts updated; zero elsewhere.
+     * @return the force further out, which is left away [N], of all ranks.
+     */
+    Vector<dim>
+    compute_force(const NodeField<dim> &mass, NodeField<dim> &force) const;
+
+    /**
+     * The field in the material at the last solve, as its mean around each node:
+     * int v N_i H / int v N_i. The partition must be that of the last solve. Collective.
+     *
+     * @param field  lanes H_x H_y H_z [A/m], ghosts updated; zero where no material is.
+     */
+    void
+    compute_field(NodeField<dim> &field) const;
+
+    /** Degrees of freedom of the potential, of all ranks; zero before the first solve. */
+    unsigned long long
+    n_unknowns() const;
+
+    /** Whether there has been a solve, on the mesh as it is now. */
+    bool
+    is_current() const;
+
+    /** What output and tests read: valid until the next solve. Throws before the first. */
+    const PotentialFields<dim> &
+    fields() const;
+
+  private:
+    struct Implementation;
+    std::unique_ptr<Implementation> implementation;
+  };
+} // namespace magmpm

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <magmpm/io/run_parameters.h>
+
+#include <string>
+
+namespace magmpm
+{
+  /** A time step and the limit that bound it. */
+  struct TimeStep
+  {
+    double      length = 0.; ///< dt [s]
+    std::string limit;       ///< elastic, viscous, force, affine, maximum, frame end or fixed
+  };
+
+  /** The state of the material that limits the next step, extremes over all particles and ranks. */
+  struct StepConditions
+  {
+    double signal_speed        = 0.; ///< wave speed of the deformed material + |v| [m/s]
+    double magnetic_wave_speed = 0.; ///< sqrt(mu_0 |M|^2/rho) [m/s]
+    double collider_speed      = 0.; ///< [m/s]
+    double kinematic_viscosity = 0.; ///< J mu_N/rho_0 [m^2/s]
+    double acceleration        = 0.; ///< of gravity and magnets [m/s^2]
+    double affine_velocity     = 0.; ///< |C| [1/s]
+  };
+
+  /**
+   * Chooses the length of each time step: symplectic Euler is stable and particles stay close to
+   * their blocks if no signal crosses more than a fraction of a cell.
+   *
+   *   elastic:  dt <= elastic factor dx/(c + |v|), c with the magnetic waves
+   *   viscous:  dt <= viscous factor dx^2/(J mu_N/rho_0)
+   *   force:    dt <= force factor sqrt(dx/|a|)
+   *   affine:   dt <= affine factor/|C|
+   *
+   * The step before a frame is shortened to meet it ("frame end").
+   */
+  class TimeStepControl
+  {
+  public:
+    TimeStepControl(const TimeStepParameters &parameters, const double lattice_spacing);
+
+    /** @param time_to_frame  [s], positive. */
+    TimeStep
+    next_step(const StepConditions &conditions, const double time_to_frame) const;
+
+  private:
+    /** Without regard to frames. */
+    TimeStep
+    stable_step(const StepConditions &conditions) const;
+
+    const TimeStepParameters parameters;
+    const double             lattice_spacing;
+  };
+} // namespace magmpm

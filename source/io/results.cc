@@ -1,0 +1,257 @@
+#include <deal.II/base/mpi.h>
+
+#include <magmpm/io/field_output.h>
+#include <magmpm/io/results.h>
+#include <magmpm/io/statistics_columns.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
+namespace magmpm
+{
+  namespace
+  {
+    void
+    write_text(const std::string &path, const std::string &text)
+    {
+      std::ofstream file(path);
+      file << text << std::flush;
+      if (!file)
+        throw RunError("cannot write '" + path + "'; is the disk full, or the folder not writable?");
+    }
+
+    /** Makes the folder with its .prm files on rank 0; returns its name when all ranks can use it. */
+    template <int dim>
+    std::string
+    prepare_folder(const Parameters<dim> &parameters, const MPI_Comm communicator)
+    {
+      const std::string directory = parameters.output.directory;
+      std::string       error;
+      if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+        {
+          try
+            {
+              std::filesystem::create_directories(directory);
+              write_text(directory + "/original.prm", parameters.original_text);
+              write_text(directory + "/parameters.prm", parameters.complete_text);
+            }
+          catch (const std::exception &exception)
+            {
+              error = exception.what();
+            }
+        }
+      error = dealii::Utilities::MPI::broadcast(communicator, error, 0);
+      if (!error.empty())
+        throw RunError("the output folder '" + directory + "' cannot be made: " + error);
+      return directory;
+    }
+
+    template <int dim>
+    std::vector<std::string>
+    names_of_bodies(const Parameters<dim> &parameters)
+    {
+      std::vector<std::string> names;
+      for (const auto &body : parameters.bodies)
+        names.push_back(body.name);
+      return names;
+    }
+
+    /** The values of one quantity that a user may ask for, of all particles of this rank. */
+    template <int dim>
+    WrittenQuantity
+    written_quantity(const std::string            &name,
+                     const std::vector<Body<dim>> &bodies,
+                     const MagnetizationLaw        law)
+    {
+      const auto fill = [&](const std::string &unit, const int n_components, const auto &value) {
+        WrittenQuantity quantity;
+        quantity.name         = name;
+        quantity.unit         = unit;
+        quantity.n_components = n_components;
+        for (std::size_t b = 0; b < bodies.size(); ++b)
+          for (std::size_t p = 0; p < bodies[b].particles.size(); ++p)
+            value(b, p, quantity.values);
+        return quantity;
+      };
+      const auto append = [](const Vector<dim> &vector, std::vector<double> &values) {
+        for (int d = 0; d < dim; ++d)
+          values.push_back(vector[d]);
+      };
+      if (name == "velocity")
+        return fill("m/s", dim, [&](const std::size_t b, const std::size_t p, auto &values) {
+          append(bodies[b].particles.vector(ParticleProperty::velocity, p), values);
+        });
+      if (name == "magnetization")
+        return fill("A/m", dim, [&](const std::size_t b, const std::size_t p, auto &values) {
+          append(particle_magnetization(bodies[b], law, p), values);
+        });
+      if (name == "J")
+        return fill("-", 1, [&](const std::size_t b, const std::size_t p, auto &values) {
+          values.push_back(particle_volume_ratio(bodies[b], p));
+        });
+      if (name == "von_mises_stress")
+        return fill("Pa", 1, [&](const std::size_t b, const std::size_t p, auto &values) {
+          values.push_back(particle_von_mises_stress(bodies[b], p));
+        });
+      return fill("-", 1, [&](const std::size_t b, const std::size_t, auto &values) {
+        values.push_back(static_cast<double>(b));
+      });
+    }
+  } // namespace
+
+  template <int dim>
+  Results<dim>::Results(const Parameters<dim>          &parameters,
+                        const std::vector<std::string> &phases,
+                        const MPI_Comm                  communicator)
+    : parameters(parameters)
+    , communicator(communicator)
+    , phases(phases)
+    , run_log(communicator,
+              prepare_folder(parameters, communicator),
+              static_cast<unsigned int>(
+                std::ceil(parameters.end_time / parameters.output.frame_interval - 1e-9)),
+              parameters.output.frame_interval,
+              std::cout)
+    , statistics(communicator,
+                 parameters.output.directory + "/statistics.csv",
+                 statistics_columns<dim>(names_of_bodies(parameters), phases))
+    , particle_output(communicator, parameters.output.directory)
+  {
+    if (parameters.mesh.carries_potential && parameters.output.write_fields)
+      field_output = std::make_unique<FieldOutput<dim>>(communicator,
+                                                        parameters.output.directory,
+                                                        parameters.output.field_quantities);
+  }
+
+  template <int dim>
+  Results<dim>::~Results() = default;
+
+  template <int dim>
+  void
+  Results<dim>::write_header(const std::vector<Body<dim>> &bodies,
+                             const unsigned long long      n_potential_unknowns)
+  {
+    RunLog::Scene scene;
+    scene.dimension          = dim;
+    scene.lattice_spacing    = parameters.lattice.spacing;
+    scene.potential_unknowns = n_potential_unknowns;
+    unsigned long n_particles = 0;
+    for (const Body<dim> &body : bodies)
+      n_particles += body.particles.size();
+    scene.n_particles = dealii::Utilities::MPI::sum(n_particles, communicator);
+    for (const BodyParameters<dim> &body : parameters.bodies)
+      scene.bodies.push_back(
+        {body.name, body.density, parameters.material_of(body), parameters.magnetics.law});
+    run_log.header(scene);
+    for (const std::string &warning : parameters.warnings)
+      run_log.warning(warning);
+  }
+
+  template <int dim>
+  void
+  Results<dim>::write_frame(const RunState               &state,
+                            const std::vector<Body<dim>> &bodies,
+                            const PotentialProblem<dim>  *magnetics,
+                            const ExternalField<dim>     &external_field)
+  {
+    if (parameters.output.write_particles)
+      {
+        std::vector<Vector<dim>>     positions;
+        std::vector<WrittenQuantity> quantities;
+        for (const Body<dim> &body : bodies)
+          for (std::size_t p = 0; p < body.particles.size(); ++p)
+            positions.push_back(body.particles.position(p));
+        for (const std::string &name : parameters.output.particle_quantities)
+          quantities.push_back(written_quantity(name, bodies, parameters.magnetics.law));
+        particle_output.write_frame(state.frame, state.time, positions, quantities);
+      }
+    if (field_output != nullptr && magnetics != nullptr)
+      field_output->write_frame(state.frame, state.time, *magnetics, external_field);
+    flush();
+  }
+
+  template <int dim>
+  void
+  Results<dim>::report_frame(const RunState &state)
+  {
+    RunLog::Frame frame;
+    frame.number    = state.frame;
+    frame.time      = state.time;
+    frame.dt        = state.time_step;
+    frame.limit     = state.limit;
+    frame.n_solves  = state.n_solves - solves_before;
+    frame.newton    = state.last_solve.newton.steps;
+    frame.cg        = state.last_solve.newton.linear_iterations;
+    frame.max_speed = state.max_speed;
+    run_log.frame(frame);
+    solves_before = state.n_solves;
+  }
+
+  template <int dim>
+  void
+  Results<dim>::write_statistics(const RunState                       &state,
+                                 const std::vector<ParticleSums<dim>> &sums,
+                                 const double                          fewest_particles,
+                                 const std::map<std::string, double>  &seconds)
+  {
+    ParticleSums<dim> total;
+    for (const ParticleSums<dim> &sum : sums)
+      total += sum;
+    const SolveReport &solve = state.last_solve;
+
+    statistics.set("step", state.step);
+    statistics.set("time", state.time);
+    statistics.set("dt", state.time_step);
+    statistics.set("limit of dt", state.limit);
+    statistics.set("particles", total.n_particles);
+    statistics.set("lost particles", state.lost_particles);
+    statistics.set("migrated particles", state.migrated_particles);
+    statistics.set("fewest particles of a rank", fewest_particles);
+    statistics.set("kinetic energy", total.kinetic_energy);
+    statistics.set("elastic energy", total.elastic_energy);
+    statistics.set("gravitational energy", total.gravitational_energy);
+    statistics.set("magnetic energy", solve.energy);
+    statistics.set("momentum", total.momentum);
+    statistics.set("angular momentum", total.angular_momentum);
+    statistics.set("centre of mass",
+                   (total.mass > 0. ? 1. / total.mass : 0.) * total.mass_times_position);
+    statistics.set("max |v|", total.max_speed);
+    statistics.set("min J", std::min(total.min_volume_ratio, total.max_volume_ratio));
+    statistics.set("max J", total.max_volume_ratio);
+    statistics.set("max |H|", total.max_field);
+    statistics.set("max |M|", total.max_magnetization);
+    for (std::size_t b = 0; b < sums.size(); ++b)
+      {
+        const std::string &body = parameters.bodies[b].name;
+        statistics.set(body_column(body, "magnetic force"), sums[b].magnetic_force);
+        statistics.set(body_column(body, "magnetic moment"), sums[b].magnetic_moment);
+      }
+    const bool solved = state.solved_this_step;
+    statistics.set("magnetic solves", state.n_solves);
+    statistics.set("Newton steps", solved ? solve.newton.steps : 0);
+    statistics.set("line search steps", solved ? solve.newton.line_search_steps : 0);
+    statistics.set("CG iterations", solved ? solve.newton.linear_iterations : 0);
+    statistics.set("Newton residual", solved ? solve.relative_final_residual() : 0.);
+    statistics.set("potential unknowns", static_cast<double>(solve.n_unknowns));
+    for (const std::string &phase : phases)
+      {
+        const auto   found = seconds.find(phase);
+        const double now   = (found == seconds.end() ? 0. : found->second);
+        statistics.set(phase_column(phase), now - seconds_before[phase]);
+        seconds_before[phase] = now;
+      }
+    statistics.write_row();
+  }
+
+  template <int dim>
+  void
+  Results<dim>::flush()
+  {
+    statistics.flush();
+  }
+
+  template class Results<2>;
+  template class Results<3>;
+} // namespace magmpm

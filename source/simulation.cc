@@ -1,0 +1,395 @@
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/timer.h>
+
+#include <magmpm/boundary/momentum_update.h>
+#include <magmpm/magnetics/potential_problem.h>
+#include <magmpm/particles/particle_migration.h>
+#include <magmpm/particles/particle_sort.h>
+#include <magmpm/particles/seeding.h>
+#include <magmpm/simulation.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace magmpm
+{
+  namespace
+  {
+    /** Timer sections of a step, the verbs of the algorithm: columns of the statistics. */
+    const std::vector<std::string> phases = {"Sort and migrate",
+                                             "Solve potential",
+                                             "P2G",
+                                             "Update lattice",
+                                             "G2P",
+                                             "Statistics",
+                                             "Output"};
+
+    /** Particles are sorted again before any of them can have left the arena of its block. */
+    constexpr double tolerated_drift = 0.99; // of dx
+
+    template <int dim>
+    double
+    viscosity_over_density(const Body<dim> &body)
+    {
+      return std::visit([](const auto &law) { return law.viscosity() / law.density; },
+                        body.material);
+    }
+
+  } // namespace
+
+  template <int dim>
+  Simulation<dim>::Simulation(const Parameters<dim> &parameters, const MPI_Comm communicator)
+    : parameters(parameters)
+    , communicator(communicator)
+    , results(parameters, phases, communicator)
+    , timer(std::make_unique<dealii::TimerOutput>(results.log().stream(),
+                                                  dealii::TimerOutput::never,
+                                                  dealii::TimerOutput::wall_times))
+    , external_field(parameters.sources)
+    , boundary(parameters.lattice, parameters.walls, external_field)
+    , mesh(communicator, parameters.lattice, parameters.mesh)
+    , partition(mesh)
+    , time_step_control(parameters.time_step, parameters.lattice.spacing)
+  {
+    if (parameters.mesh.carries_potential)
+      magnetics =
+        std::make_unique<PotentialProblem<dim>>(mesh, partition, parameters.magnetics, *timer);
+  }
+
+  template <int dim>
+  Simulation<dim>::~Simulation() = default;
+
+  template <int dim>
+  void
+  Simulation<dim>::run()
+  {
+    try
+      {
+        seed_bodies();
+        write_statistics();
+        write_frame();
+        while (state.time < (1. - 1e-12) * parameters.end_time)
+          {
+            advance_one_step();
+            const double next_frame = (state.frame + 1) * parameters.output.frame_interval;
+            if (state.time >= (1. - 1e-9) * std::min(next_frame, parameters.end_time))
+              {
+                ++state.frame;
+                write_frame();
+              }
+          }
+      }
+    catch (const std::exception &exception)
+      {
+        results.flush();
+        results.log().failure(exception.what());
+        throw;
+      }
+    timer->print_wall_time_statistics(communicator);
+    results.log().end();
+  }
+
+  // One step, section 4.3 of Sun et al. 2021.
+  template <int dim>
+  void
+  Simulation<dim>::advance_one_step()
+  {
+    const double next_frame = std::min((state.frame + 1) * parameters.output.frame_interval,
+                                       parameters.end_time);
+    const TimeStep step     = time_step_control.next_step(step_conditions, next_frame - state.time);
+    state.time_step         = step.length;
+    state.limit             = step.limit;
+    state.solved_this_step  = false;
+
+    if (drift_since_sort > tolerated_drift * parameters.lattice.spacing)
+      regroup_particles();
+    external_field.set_time(state.time);
+    if (solve_is_due())
+      solve_magnetics(); // Eqs. (25)-(33)
+    transfer_to_lattice(step.length); // Eq. (28)
+    update_lattice();                 // Eqs. (33), (34)
+    transfer_to_particles();          // Eqs. (35)-(37)
+
+    state.time += step.length;
+    ++state.step;
+    if (state.step % parameters.output.statistics_every == 0)
+      write_statistics();
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::seed_bodies()
+  {
+    const unsigned int rank    = dealii::Utilities::MPI::this_mpi_process(communicator);
+    const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
+    for (unsigned int b = 0; b < parameters.bodies.size(); ++b)
+      {
+        const BodyParameters<dim> &body = parameters.bodies[b];
+        bodies.emplace_back(body, parameters.material_of(body));
+        seed_particles(body, parameters.lattice, b, rank, n_ranks, bodies.back());
+        if (dealii::Utilities::MPI::sum(bodies.back().particles.size(), communicator) == 0)
+          throw InputError("body '" + body.name +
+                           "' holds no particle: it is smaller than the distance between "
+                           "particles. Make it larger, or 'Box/Cell size' smaller.");
+        const double particle_volume =
+          std::pow(parameters.lattice.spacing / body.particles_per_edge, dim);
+        typical_particle_mass = std::max(typical_particle_mass, body.density * particle_volume);
+      }
+    regroup_particles();
+    external_field.set_time(0.);
+    if (solve_is_due())
+      solve_magnetics();
+    results.write_header(bodies, magnetics != nullptr ? magnetics->n_unknowns() : 0);
+
+    if (magnetics == nullptr)
+      step_conditions.acceleration = norm(parameters.gravity);
+    // What limits the first step is not known from a step before it.
+    std::vector<ParticleExtremes> extremes;
+    for (const ParticleSums<dim> &sums : sums_of_bodies())
+      {
+        const Body<dim> &body = bodies[extremes.size()];
+        extremes.push_back({sums.max_speed, sums.max_speed + undeformed_wave_speed(body), 0., 1., 1.});
+      }
+    update_step_conditions(extremes);
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::regroup_particles()
+  {
+    dealii::TimerOutput::Scope timed(*timer, "Sort and migrate");
+    std::size_t                n_lost = 0;
+    for (Body<dim> &body : bodies)
+      n_lost += remove_lost_particles(parameters.lattice, body);
+    n_lost = dealii::Utilities::MPI::sum(n_lost, communicator);
+    if (n_lost > 0)
+      results.log().warning(std::to_string(n_lost) +
+                            " particles left the box through a wall and were removed");
+    state.lost_particles += n_lost;
+
+    const OccupiedBlocks<dim> occupied = occupied_blocks(bodies, parameters.lattice);
+    mesh.adapt(occupied.blocks, occupied.n_particles);
+    migrate_to_owners(occupied);
+    partition.rebuild(occupied_blocks(bodies, parameters.lattice).blocks);
+    for (Body<dim> &body : bodies)
+      sort_into_blocks(partition.blocks(), parameters.lattice, body);
+    lattice_field.reinit(partition.blocks().size());
+    drift_since_sort = 0.;
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::migrate_to_owners(const OccupiedBlocks<dim> &occupied)
+  {
+    const BlockSet<dim> blocks(occupied.blocks, static_cast<int>(occupied.blocks.size()));
+    const std::vector<unsigned int> owners = mesh.owners(occupied.blocks);
+    for (Body<dim> &body : bodies)
+      {
+        std::vector<unsigned int> destination(body.particles.size());
+        for (std::size_t p = 0; p < destination.size(); ++p)
+          destination[p] = owners[blocks.slot(
+            block_of<dim>(parameters.lattice.base_node(body.particles.position(p))))];
+        const std::size_t n_sent = migrate_particles(communicator, destination, body.particles);
+        if (state.step > 0)
+          state.migrated_particles += dealii::Utilities::MPI::sum(n_sent, communicator);
+      }
+  }
+
+  template <int dim>
+  bool
+  Simulation<dim>::solve_is_due() const
+  {
+    using Trigger = SolveTriggerParameters::Trigger;
+    if (magnetics == nullptr)
+      return false;
+    const SolveTriggerParameters &trigger = parameters.solve_trigger;
+    if (state.n_solves == 0)
+      return true;
+    if (state.step_of_last_solve == state.step)
+      return false;
+    if (trigger.trigger == Trigger::every_step)
+      return true;
+    if (trigger.trigger == Trigger::every_n_steps)
+      return state.step % trigger.n_steps == 0;
+    const double tolerated = trigger.moved_fraction * parameters.lattice.spacing;
+    const auto   change    = external_field.change_since_remembered();
+    return drift_since_solve > tolerated || change.displacement > tolerated ||
+           change.relative_strength > trigger.changed_fraction;
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::solve_magnetics()
+  {
+    dealii::TimerOutput::Scope timed(*timer, "Solve potential");
+    transfer_to_lattice(0.); // the masses of the nodes
+    partition.update_ghosts(lattice_field);
+
+    NodeField<dim> content, force;
+    content.reinit(partition.blocks().size());
+    force.reinit(partition.blocks().size());
+    magnetic_content_to_lattice(bodies, partition.blocks(), parameters.lattice, content);
+    partition.add_ghosts_to_owners(content);
+    partition.update_ghosts(content);
+
+    state.last_solve = magnetics->solve(content, external_field);
+    magnetics->compute_force(force);
+    forces_to_accelerations(force);
+    partition.update_ghosts(force);
+    interpolate_to_particles(
+      force, partition.blocks(), parameters.lattice, ParticleProperty::magnetic_acceleration, bodies);
+    magnetics->compute_field(force);
+    interpolate_to_particles(
+      force, partition.blocks(), parameters.lattice, ParticleProperty::magnetic_field, bodies);
+
+    step_conditions.magnetic_wave_speed = 0.;
+    step_conditions.acceleration        = norm(parameters.gravity);
+    for (const ParticleSums<dim> &sums : sums_of_bodies())
+      {
+        step_conditions.magnetic_wave_speed =
+          std::max(step_conditions.magnetic_wave_speed, sums.max_magnetic_wave_speed);
+        step_conditions.acceleration =
+          std::max(step_conditions.acceleration,
+                   norm(parameters.gravity) + sums.max_magnetic_acceleration);
+      }
+    external_field.remember();
+    drift_since_solve        = 0.;
+    state.solved_this_step   = true;
+    state.step_of_last_solve = state.step;
+    ++state.n_solves;
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::forces_to_accelerations(NodeField<dim> &force) const
+  {
+    for (int slot = 0; slot < partition.blocks().n_owned(); ++slot)
+      for (int n = 0; n < nodes_per_block<dim>; ++n)
+        {
+          double      *node = force.node(slot, n);
+          const double mass = lattice_field.node(slot, n)[3];
+          for (int d = 0; d < dim; ++d)
+            node[d] = (mass > 0. ? node[d] / mass : 0.);
+        }
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::transfer_to_lattice(const double time_step)
+  {
+    dealii::TimerOutput::Scope timed(*timer, "P2G");
+    particles_to_lattice(bodies, partition.blocks(), parameters.lattice, time_step, lattice_field);
+    partition.add_ghosts_to_owners(lattice_field);
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::update_lattice()
+  {
+    dealii::TimerOutput::Scope timed(*timer, "Update lattice");
+    update_lattice_momentum(partition.blocks(),
+                            boundary,
+                            parameters.gravity,
+                            state.time_step,
+                            typical_particle_mass,
+                            lattice_field);
+    partition.update_ghosts(lattice_field);
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::transfer_to_particles()
+  {
+    dealii::TimerOutput::Scope    timed(*timer, "G2P");
+    std::vector<ParticleExtremes> extremes = lattice_to_particles(
+      lattice_field, partition.blocks(), parameters.lattice, state.time_step, bodies);
+
+    // The largest of all ranks, in one exchange.
+    constexpr int       n_extremes = sizeof(ParticleExtremes) / sizeof(double);
+    std::vector<double> largest;
+    for (const ParticleExtremes &e : extremes)
+      largest.insert(largest.end(),
+                     {e.speed,
+                      e.signal_speed,
+                      e.affine_velocity,
+                      e.max_volume_ratio,
+                      e.max_inverse_volume_ratio});
+    dealii::Utilities::MPI::max(largest, communicator, largest);
+    double speed = 0.;
+    for (std::size_t b = 0; b < extremes.size(); ++b)
+      {
+        const double *e = &largest[n_extremes * b];
+        extremes[b]     = {e[0], e[1], e[2], e[3], e[4]};
+        speed           = std::max(speed, e[0]);
+      }
+    drift_since_sort += state.time_step * speed;
+    drift_since_solve += state.time_step * speed;
+    state.max_speed = speed;
+    check_for_runaways(bodies, extremes, parameters.runaway_limits, state, communicator);
+    update_step_conditions(extremes);
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::update_step_conditions(const std::vector<ParticleExtremes> &extremes)
+  {
+    StepConditions &conditions     = step_conditions;
+    conditions.collider_speed      = boundary.max_speed();
+    conditions.signal_speed        = 0.;
+    conditions.affine_velocity     = 0.;
+    conditions.kinematic_viscosity = 0.;
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+      {
+        conditions.signal_speed    = std::max(conditions.signal_speed, extremes[b].signal_speed);
+        conditions.affine_velocity = std::max(conditions.affine_velocity, extremes[b].affine_velocity);
+        conditions.kinematic_viscosity =
+          std::max(conditions.kinematic_viscosity,
+                   extremes[b].max_volume_ratio * viscosity_over_density(bodies[b]));
+      }
+  }
+
+  template <int dim>
+  std::vector<ParticleSums<dim>>
+  Simulation<dim>::sums_of_bodies() const
+  {
+    std::vector<ParticleSums<dim>> sums;
+    for (const Body<dim> &body : bodies)
+      sums.push_back(
+        particle_sums(body, parameters.lattice, parameters.gravity, parameters.magnetics.law));
+    using Sums = std::vector<ParticleSums<dim>>;
+    return dealii::Utilities::MPI::all_reduce<Sums>(
+      sums, communicator, [](const Sums &one, const Sums &other) {
+        Sums both = one;
+        for (std::size_t b = 0; b < both.size(); ++b)
+          both[b] += other[b];
+        return both;
+      });
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::write_frame()
+  {
+    dealii::TimerOutput::Scope timed(*timer, "Output");
+    if (state.frame > 0)
+      results.report_frame(state);
+    results.write_frame(state, bodies, magnetics.get(), external_field);
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::write_statistics()
+  {
+    dealii::TimerOutput::Scope timed(*timer, "Statistics");
+    double                     n_particles = 0.;
+    for (const Body<dim> &body : bodies)
+      n_particles += static_cast<double>(body.particles.size());
+    results.write_statistics(state,
+                             sums_of_bodies(),
+                             dealii::Utilities::MPI::min(n_particles, communicator),
+                             timer->get_summary_data(dealii::TimerOutput::total_wall_time));
+  }
+
+  template class Simulation<2>;
+  template class Simulation<3>;
+} // namespace magmpm

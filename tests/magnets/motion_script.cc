@@ -1,0 +1,97 @@
+#include <magmpm/base/constants.h>
+#include <magmpm/base/exceptions.h>
+#include <magmpm/magnets/motion_script.h>
+
+#include "catch.h"
+
+#include <cmath>
+
+using namespace magmpm;
+
+namespace
+{
+  /** The message with which a script in 3D is refused; empty if it is not. */
+  std::string
+  refusal(const std::string &expression)
+  {
+    try
+      {
+        MotionScript<3>(expression, "Position of source 'ball'");
+      }
+    catch (const InputError &error)
+      {
+        return error.what();
+      }
+    return "";
+  }
+
+  bool
+  contains(const std::string &text, const std::string &part)
+  {
+    return text.find(part) != std::string::npos;
+  }
+} // namespace
+
+TEST_CASE("a motion script is evaluated component by component", "[magnets]")
+{
+  // The expressions are those that C++ computes beside them, with constants, functions, a condition
+  // and either separator.
+  const MotionScript<3> script("0.5 + 0.1*t^2; sin(2*pi*t), if(t < 1, 1, max(2, t))", "Position");
+  for (const double t : {0., 0.3, 2.5})
+    {
+      const Vector<3> x = script.value(t);
+      CHECK(x[0] == Approx(0.5 + 0.1 * t * t));
+      CHECK(x[1] == Approx(std::sin(2. * constants::pi * t)).margin(1e-15));
+      CHECK(x[2] == (t < 1. ? 1. : std::max(2., t)));
+    }
+  CHECK(MotionScript<2>(" 1e5*t ;-2", "Field").value(3.)[0] == 3e5);
+}
+
+TEST_CASE("the velocity of a motion script is its derivative", "[magnets]")
+{
+  // Analytic derivatives of a line, a sine of 50 Hz and a root, which is not defined before t = 0.
+  // The stated error of the difference is (1e-6 w)^2/6 = 1.6e-8 of the amplitude's w, and 1e-10.
+  const double w = 2. * constants::pi * 50.;
+  const MotionScript<2> script("0.2 - 0.1*t; 0.01*sin(2*pi*50*t)", "Position");
+  for (const double t : {0., 1e-7, 0.0123, 1.})
+    {
+      CHECK(script.velocity(t)[0] == Approx(-0.1).epsilon(2e-9));
+      CHECK(script.velocity(t)[1] == Approx(0.01 * w * std::cos(w * t)).margin(0.01 * w * 2e-7));
+    }
+  const MotionScript<2> root("sqrt(t); 0", "Position");
+  CHECK(root.velocity(0.25)[0] == Approx(1.).epsilon(1e-8));
+  CHECK(std::isfinite(root.velocity(0.)[0]));
+}
+
+TEST_CASE("a motion script without t is constant", "[magnets]")
+{
+  // Whether the name t occurs, and not whether the letter does (tan, 1e5, sqrt).
+  CHECK(MotionScript<2>("tan(0.5)*1e5; sqrt(2)", "Field").is_constant());
+  CHECK(!MotionScript<2>("0; 2*t", "Field").is_constant());
+  CHECK(!MotionScript<2>("0; sin(t)", "Field").is_constant());
+  CHECK(MotionScript<2>("tan(0.5)*1e5; sqrt(2)", "Field").velocity(1.)[0] == 0.);
+}
+
+TEST_CASE("a wrong motion script is refused with its reason", "[magnets]")
+{
+  // The wording, which users meet: who, what, why, and what is allowed.
+  CHECK(refusal("0.5; 0.5") ==
+        "Position of source 'ball': '0.5; 0.5' has 2 components, not 3. Give 3 expressions of the "
+        "time t [s], separated by semicolons, such as '0.5; 0.5; 0.2 + 0.1*t'.");
+  CHECK(contains(refusal(""), "'' has 1 component, not 3."));
+  CHECK(contains(refusal("1; 2; 3; 4"), "has 4 components, not 3."));
+
+  const std::string unknown = refusal("0.5; 0.5; 0.2 + speed*t");
+  CHECK_THAT(unknown,
+             Catch::Matchers::StartsWith(
+               "Position of source 'ball': '0.5; 0.5; 0.2 + speed*t' cannot be read: "));
+  CHECK(contains(unknown, "speed"));
+  CHECK_THAT(unknown, Catch::Matchers::EndsWith("'0.5; 0.5; 0.2 + 0.1*t'; pi is known."));
+  CHECK(!contains(unknown, "\n"));
+
+  CHECK(contains(refusal("0.5; (0.5; 1"), "cannot be read: Missing parenthesis. Give 3 expr"));
+  CHECK(contains(refusal("0.5;; 1"), "cannot be read"));
+  CHECK(contains(refusal("0; 0; rand()"), "draws random numbers"));
+  CHECK(contains(refusal("0; 1/t; 0"), "is not a finite number at t = 0 s (component 2)"));
+  CHECK_THROWS_AS(MotionScript<2>("1/(t - 1); 0", "Position").value(1.), InputError);
+}
