@@ -1,4 +1,5 @@
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/mpi.templates.h>
 #include <deal.II/base/timer.h>
 
 #include <magmpm/boundary/momentum_update.h>
@@ -225,15 +226,10 @@ namespace magmpm
     transfer_to_lattice(0.); // the masses of the nodes
     partition.update_ghosts(lattice_field);
 
-    NodeField<dim> content, force;
-    content.reinit(partition.blocks().size());
+    solve_potential();
+    NodeField<dim> force;
     force.reinit(partition.blocks().size());
-    magnetic_content_to_lattice(bodies, partition.blocks(), parameters.lattice, content);
-    partition.add_ghosts_to_owners(content);
-    partition.update_ghosts(content);
-
-    state.last_solve = magnetics->solve(content, external_field);
-    magnetics->compute_force(force);
+    state.lost_magnetic_force = norm(magnetics->compute_force(lattice_field, force));
     forces_to_accelerations(force);
     partition.update_ghosts(force);
     interpolate_to_particles(
@@ -257,6 +253,19 @@ namespace magmpm
     state.solved_this_step   = true;
     state.step_of_last_solve = state.step;
     ++state.n_solves;
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::solve_potential()
+  {
+    NodeField<dim> content;
+    content.reinit(partition.blocks().size());
+    magnetic_content_to_lattice(bodies, partition.blocks(), parameters.lattice, content);
+    partition.add_ghosts_to_owners(content);
+    partition.update_ghosts(content);
+    state.last_solve   = magnetics->solve(content, external_field);
+    mesh_of_last_solve = mesh.revision();
   }
 
   template <int dim>
@@ -373,6 +382,11 @@ namespace magmpm
     dealii::TimerOutput::Scope timed(*timer, "Output");
     if (state.frame > 0)
       results.report_frame(state);
+    // The mesh may have changed since the last solve: then the fields are computed anew for the
+    // output. The force that particles carry stays, so that output never changes a run.
+    if (magnetics != nullptr && parameters.output.write_fields &&
+        mesh_of_last_solve != mesh.revision())
+      solve_potential();
     results.write_frame(state, bodies, magnetics.get(), external_field);
   }
 

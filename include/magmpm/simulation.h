@@ -64,6 +64,10 @@ namespace magmpm
     void
     solve_magnetics();
 
+    /** Finds the potential of the material where it is now, Eqs. (25)-(30). */
+    void
+    solve_potential();
+
     /** Accelerations of the nodes [m/s^2] from forces [N] and masses, in place. */
     void
     forces_to_accelerations(NodeField<dim> &force) const;
@@ -111,6 +115,7 @@ namespace magmpm
     RunState       state;
     StepConditions step_conditions;
     double         typical_particle_mass = 0.; ///< [kg]
+    unsigned int   mesh_of_last_solve    = 0;  ///< its revision
     double         drift_since_sort      = 0.; ///< the longest way a particle can have gone [m]
     double         drift_since_solve     = 0.; ///< [m]
 

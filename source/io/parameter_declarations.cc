@@ -318,12 +318,12 @@ namespace magmpm
                        trigger.moved_fraction,
                        "-",
                        "With When = changed: after material moved by this fraction of dx.",
-                       positive);
+                       not_negative);
       declarations.add("Changed fraction",
                        trigger.changed_fraction,
                        "-",
                        "With When = changed: after the external field changed by this fraction.",
-                       positive);
+                       not_negative);
       declarations.add("Steps", trigger.n_steps, "-", "With When = every n steps: n.", {1., 1e9});
     }
 

@@ -107,12 +107,13 @@ namespace magmpm
           file.entries.push_back({section(),
                                   single_spaced(rest.substr(0, equal)),
                                   single_spaced(rest.substr(equal + 1)),
-                                  origin()});
+                                  origin(),
+                                  false});
         else if (keyword == "subsection" && !rest.empty())
           {
             open_sections.push_back(rest);
             open_lines.push_back(line_number);
-            file.subsections.push_back({section(), "", "", origin()});
+            file.subsections.push_back({section(), "", "", origin(), false});
           }
         else if (keyword == "end" && rest.empty())
           close_section();
@@ -148,7 +149,8 @@ namespace magmpm
       return {slash == std::string::npos ? "" : path.substr(0, slash),
               name,
               single_spaced(override.substr(equal + 1)),
-              origin};
+              origin,
+              true};
     }
 
     /** The entry as lines of a parameter file. */

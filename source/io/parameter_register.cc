@@ -43,18 +43,13 @@ namespace magmpm
       return section.empty() ? name : section + "/" + name;
     }
 
-    std::string
-    in_subsection(const std::string &section)
-    {
-      return section.empty() ? " outside of all subsections" : " in subsection " + section;
-    }
-
-    /** What is allowed, in the words of a message. */
+    /** What is allowed, and what it means: the end of a message. */
     std::string
     must_be(const DeclaredParameter &parameter)
     {
       return "must be " + parameter.range +
-             (parameter.unit == "-" ? "" : " [" + parameter.unit + "]");
+             (parameter.unit == "-" ? "" : " [" + parameter.unit + "]") + ". (" + parameter.text +
+             ")";
     }
 
     /** Numbers in a range, separated by commas; ParameterHandler has no excluded limits. */
@@ -286,21 +281,27 @@ namespace magmpm
   ParameterRegister::apply(const ParameterFile &file)
   {
     file_name = file.name;
+    for (const ParameterEntry &entry : file.entries)
+      if (find(entry.path()) != nullptr)
+        {
+          values[entry.path()]  = entry.value;
+          origins[entry.path()] = entry.origin;
+        }
     check_names(file);
     for (const ParameterEntry &entry : file.entries)
-      apply(entry);
+      if (find(entry.path()) != nullptr)
+        apply(entry);
 
     for (const DeclaredParameter &parameter : declared)
       {
         const std::string path = join(parameter.section, parameter.name);
         if (parameter.presence == Presence::required && !given(path))
-          throw InputError(file_name + ": " + path + " is not given; it " + must_be(parameter) +
-                           ". " + parameter.text);
+          throw InputError(where(path) + " is not given; it " + must_be(parameter));
       }
   }
 
   void
-  ParameterRegister::check_names(const ParameterFile &file) const
+  ParameterRegister::check_names(const ParameterFile &file)
   {
     // First the parameters: a mistyped list makes its subsections unknown, but is the one at fault.
     for (const ParameterEntry &entry : file.entries)
@@ -308,25 +309,37 @@ namespace magmpm
         throw unknown_parameter(entry);
     for (const ParameterEntry &subsection : file.subsections)
       if (!has_section(subsection.section))
-        throw unknown_subsection(subsection);
+        leave_out(subsection);
     for (const ParameterEntry &entry : file.entries)
-      if (!has_section(entry.section))
+      if (!has_section(entry.section) && entry.from_command_line)
         throw unknown_subsection(entry);
+  }
+
+  void
+  ParameterRegister::leave_out(const ParameterEntry &entry)
+  {
+    // A magnet, say, may be switched off in its list; but a name close to one that is listed is a
+    // slip of the pen.
+    const std::size_t slash   = entry.section.find_last_of('/');
+    const std::string section = entry.section.substr(0, slash);
+    if (slash == std::string::npos || list_of_names(section).empty() ||
+        !closest_name(entry.section.substr(slash + 1), subsections_in(section)).empty())
+      throw unknown_subsection(entry);
+    all_warnings.push_back(entry.origin + ": the subsection " + entry.section +
+                           " is not used, because it is not in '" + list_of_names(section) + "'.");
   }
 
   void
   ParameterRegister::apply(const ParameterEntry &entry)
   {
-    const std::string path = entry.path();
-    values[path]           = entry.value;
-    origins[path]          = entry.origin;
     try
       {
-        set_printed_value(path, entry.value);
+        set_printed_value(entry.path(), entry.value);
       }
     catch (const dealii::ParameterHandler::ExcValueDoesNotMatchPattern &)
       {
-        throw error(path, must_be(*find(path)) + ".");
+        throw InputError(entry.origin + ": " + entry.path() + " = " + entry.value + ": " +
+                         must_be(*find(entry.path())));
       }
   }
 
@@ -380,10 +393,20 @@ namespace magmpm
   std::string
   ParameterRegister::print() const
   {
-    std::ostringstream text;
+    std::stringstream printed;
     handler->print_parameters(
-      text, dealii::ParameterHandler::PRM | dealii::ParameterHandler::KeepDeclarationOrder);
-    return text.str();
+      printed, dealii::ParameterHandler::PRM | dealii::ParameterHandler::KeepDeclarationOrder);
+    // Where there is no default, no comment should say what it is.
+    const std::string no_default = "# default: ";
+    std::string line, text;
+    while (std::getline(printed, line))
+      {
+        const std::size_t comment = line.rfind(no_default);
+        if (comment != std::string::npos && comment + no_default.size() == line.size())
+          line.erase(line.find_last_not_of(' ', comment - 1) + 1);
+        text += line + "\n";
+      }
+    return text;
   }
 
   bool
@@ -443,40 +466,43 @@ namespace magmpm
   ParameterRegister::unknown_subsection(const ParameterEntry &entry) const
   {
     // The outermost name that is not known is the one to name.
-    std::string section;
+    std::string section, unknown;
     for (const std::string &name : dealii::Utilities::split_string_list(entry.section, '/'))
       {
-        const std::vector<std::string> known = subsections_in(section);
-        if (std::find(known.begin(), known.end(), name) == known.end())
-          {
-            const std::string list = list_of_names(section);
-            return InputError(
-              entry.origin + ": there is no subsection '" + name + "'" + in_subsection(section) +
-              (list.empty() ? ""
-                            : " because '" + list + "' is '" + values.at(list) + "', without it") +
-              did_you_mean(name, known));
-          }
+        unknown = name;
+        if (!has_section(join(section, name)))
+          break;
         section = join(section, name);
       }
-    return InputError(entry.origin + ": there is no subsection " + entry.section + ".");
+    const std::string list = list_of_names(section);
+    return InputError(entry.origin + ": there is no subsection '" + unknown + "'" +
+                      (section.empty() ? "" : " in subsection " + section) +
+                      (list.empty() ? "" : " ('" + list + "' is '" + values.at(list) + "')") +
+                      did_you_mean(unknown, subsections_in(section)));
   }
 
   InputError
   ParameterRegister::unknown_parameter(const ParameterEntry &entry) const
   {
-    const std::string start = entry.origin + ": there is no parameter '" + entry.name + "'" +
-                              in_subsection(entry.section);
+    const std::string start = entry.origin + ": there is no parameter '" + entry.name + "' " +
+                              (entry.section.empty() ? "outside of all subsections"
+                                                     : "in subsection " + entry.section);
     const auto reason = refused.find(entry.path());
     if (reason != refused.end())
       return InputError(start + ": " + reason->second);
 
     const std::vector<std::string> here = names_in(entry.section);
-    if (closest_name(entry.name, here).empty())
-      // Perhaps the right name at a wrong place.
-      for (const DeclaredParameter &parameter : declared)
-        if (edit_distance(parameter.name, entry.name) == 0)
-          return InputError(start + "; did you mean '" + join(parameter.section, parameter.name) +
-                            "'?");
-    return InputError(start + did_you_mean(entry.name, here));
+    if (!closest_name(entry.name, here).empty())
+      return InputError(start + did_you_mean(entry.name, here));
+
+    // Perhaps it is a name of another place.
+    std::vector<std::string> everywhere;
+    for (const DeclaredParameter &parameter : declared)
+      everywhere.push_back(parameter.name);
+    const std::string closest = closest_name(entry.name, everywhere);
+    for (const DeclaredParameter &parameter : declared)
+      if (parameter.name == closest)
+        return InputError(start + "; did you mean '" + join(parameter.section, closest) + "'?");
+    return InputError(start + "; 'magmpm --print-parameters' lists all.");
   }
 } // namespace magmpm

@@ -58,7 +58,7 @@ namespace magmpm
     {
       for (const std::string &name : needed)
         if (!declarations.given(section + "/" + name))
-          throw declarations.error(section + "/" + name, "but " + reason + " needs it.");
+          throw declarations.error(section + "/" + name, reason + " needs it.");
       for (const std::string &name : given_of(declarations, section, unused))
         throw declarations.error(section + "/" + name,
                                  reason + " does not use it; remove this line or change that.");
@@ -390,6 +390,7 @@ namespace magmpm
     collect_warnings(const ParameterRegister &declarations, Parameters<dim> &parameters)
     {
       const bool magnetic = parameters.mesh.carries_potential;
+      parameters.warnings = declarations.warnings();
       if (magnetic && parameters.sources.empty())
         parameters.warnings.push_back(
           declarations.where("Magnets/List of magnets") +

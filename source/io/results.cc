@@ -60,13 +60,13 @@ namespace magmpm
 
     /** The values of one quantity that a user may ask for, of all particles of this rank. */
     template <int dim>
-    WrittenQuantity
+    ParticleQuantity
     written_quantity(const std::string            &name,
                      const std::vector<Body<dim>> &bodies,
                      const MagnetizationLaw        law)
     {
       const auto fill = [&](const std::string &unit, const int n_components, const auto &value) {
-        WrittenQuantity quantity;
+        ParticleQuantity quantity;
         quantity.name         = name;
         quantity.unit         = unit;
         quantity.n_components = n_components;
@@ -159,7 +159,7 @@ namespace magmpm
     if (parameters.output.write_particles)
       {
         std::vector<Vector<dim>>     positions;
-        std::vector<WrittenQuantity> quantities;
+        std::vector<ParticleQuantity> quantities;
         for (const Body<dim> &body : bodies)
           for (std::size_t p = 0; p < body.particles.size(); ++p)
             positions.push_back(body.particles.position(p));

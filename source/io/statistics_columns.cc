@@ -52,7 +52,7 @@ namespace magmpm
                                              {"particles", ""},
                                              {"lost particles", ""},
                                              {"migrated particles", ""},
-                                             {"fewest particles on a rank", ""},
+                                             {"fewest particles of a rank", ""},
                                              {"kinetic energy", Unit::energy},
                                              {"elastic energy", Unit::energy},
                                              {"gravitational energy", Unit::energy},

@@ -12,6 +12,7 @@
 #include <magmpm/magnetics/potential_operator.h>
 
 #include <map>
+#include <optional>
 
 namespace magmpm
 {
@@ -122,8 +123,8 @@ namespace magmpm
           space.mesh.triangulation(),
           [&of_level](const LevelCell<dim> &cell) {
             const auto found = of_level.find(cell->index());
-            return found == of_level.end() ? std_cxx17::optional<Tensor>() :
-                                             std_cxx17::optional<Tensor>(found->second);
+            return found == of_level.end() ? std::optional<Tensor>() :
+                                             std::optional<Tensor>(found->second);
           },
           [&of_level](const LevelCell<dim> &cell, const Tensor &mean) {
             of_level[cell->index()] = mean;

@@ -1,5 +1,7 @@
 // What a run says: the same words on the terminal and in log.txt, from one rank only.
 
+#include <deal.II/base/timer.h>
+
 #include <magmpm/base/exceptions.h>
 #include <magmpm/base/version.h>
 #include <magmpm/io/number_text.h>
@@ -154,6 +156,33 @@ TEST_CASE("warnings stand out and failures are kept in log.txt", "[io]")
   CHECK(file.find("results in " + folder) != std::string::npos);
   CHECK(file.find("log.txt") != std::string::npos);
   CHECK(file.find("particles.pvd") == std::string::npos);
+}
+
+TEST_CASE("the timing table goes to terminal and log.txt", "[io][mpi]")
+{
+  // deal.II prints its table on all ranks together into the log's stream: one table must come out,
+  // on both ends, and none from the ranks that are silent.
+  const std::string folder = testing::fresh_folder("run_log-timing");
+  std::ostringstream terminal;
+  {
+    RunLog log(MPI_COMM_WORLD, folder, 1, 1., terminal);
+    dealii::TimerOutput timer(
+      log.stream(), dealii::TimerOutput::never, dealii::TimerOutput::wall_times);
+    timer.enter_subsection("P2G");
+    timer.leave_subsection();
+    timer.print_wall_time_statistics(MPI_COMM_WORLD);
+    log.end();
+  }
+  if (testing::this_rank() > 0)
+    CHECK(terminal.str().empty());
+  else
+    {
+      const std::size_t first = terminal.str().find("P2G");
+      CHECK(first != std::string::npos);
+      CHECK(terminal.str().find("P2G", first + 1) == std::string::npos);
+      CHECK(testing::contents(folder + "/log.txt") == terminal.str());
+    }
+  MPI_Barrier(MPI_COMM_WORLD);
 }
 
 TEST_CASE("a log that cannot be opened says which and why", "[io]")

@@ -38,7 +38,9 @@ TEST_CASE("nodes sit where lower corner and spacing put them", "[lattice]")
   CHECK(lattice.reduced(position)[1] == -2.);
   for (int i = -5; i < 5; ++i)
     CHECK(lattice.nearest_node(lattice.node_position({i, 2 * i, -i})) == Index<3>{i, 2 * i, -i});
+  // (3.44, 0.48, -0.4) and (3.52, -1.52, 0) in units of dx.
   CHECK(lattice.nearest_node({{-0.57, 0.56, 0.2}}) == Index<3>{3, 0, 0});
+  CHECK(lattice.nearest_node({{-0.56, 0.31, 0.25}}) == Index<3>{4, -2, 0});
 }
 
 TEST_CASE("the base node is the first of the three whose B-splines reach a point", "[lattice]")

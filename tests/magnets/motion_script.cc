@@ -93,5 +93,6 @@ TEST_CASE("a wrong motion script is refused with its reason", "[magnets]")
   CHECK(contains(refusal("0.5;; 1"), "cannot be read"));
   CHECK(contains(refusal("0; 0; rand()"), "draws random numbers"));
   CHECK(contains(refusal("0; 1/t; 0"), "is not a finite number at t = 0 s (component 2)"));
+  CHECK(contains(refusal("0; 0; 0/t"), "is not a finite number at t = 0 s (component 3)"));
   CHECK_THROWS_AS(MotionScript<2>("1/(t - 1); 0", "Position").value(1.), InputError);
 }

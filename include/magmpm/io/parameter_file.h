@@ -12,6 +12,7 @@ namespace magmpm
     std::string name;
     std::string value;
     std::string origin; ///< for messages: "cube.prm, line 12"
+    bool from_command_line;
 
     /** "Bodies/cube/Density" */
     std::string

@@ -173,13 +173,21 @@ namespace magmpm
     refuse(const std::string &name, const std::string &reason);
 
     /**
-     * Gives all variables the values of @p file.
+     * Gives all variables the values of @p file. A subsection of a body, material or magnet that is
+     * not in its list is left out, with a warning.
      *
      * @throw InputError  if the file knows a name that is not declared, or a value is not allowed, or
      *                    a required one is missing. The message says where, and what to write.
      */
     void
     apply(const ParameterFile &file);
+
+    /** What apply() left out. */
+    const std::vector<std::string> &
+    warnings() const
+    {
+      return all_warnings;
+    }
 
     /** Changes the value as print() shows it, not the variable. */
     void
@@ -219,6 +227,7 @@ namespace magmpm
     std::string file_name;
     std::map<std::string, std::string> values;  ///< by path
     std::map<std::string, std::string> origins; ///< by path, of those in the file
+    std::vector<std::string> all_warnings;
 
     void
     add_numbers(const std::string &name,
@@ -243,7 +252,11 @@ namespace magmpm
 
     /** Throws an InputError if @p file has a name that is not declared. */
     void
-    check_names(const ParameterFile &file) const;
+    check_names(const ParameterFile &file);
+
+    /** Throws unless the subsection of @p entry may be left out, and warns in that case. */
+    void
+    leave_out(const ParameterEntry &entry);
 
     void
     apply(const ParameterEntry &entry);

@@ -48,6 +48,9 @@ namespace magmpm
     unsigned int step_of_last_solve = 0;
     bool         solved_this_step   = false;
     SolveReport  last_solve;
+
+    /** The force at the last solve that fell on no mass and reaches no particle [N]. */
+    double lost_magnetic_force = 0.;
   };
 
   /**

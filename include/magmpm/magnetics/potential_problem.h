@@ -16,7 +16,7 @@ namespace dealii
 namespace magmpm
 {
   template <int dim>
-  class PotentialFields;
+  struct PotentialSolution;
 
   /**
    * The magnetic scalar potential of the scene: finds phi with h = -grad phi, H = H_ext + h and
@@ -77,13 +77,12 @@ namespace magmpm
     unsigned long long
     n_unknowns() const;
 
-    /** Whether there has been a solve, on the mesh as it is now. */
-    bool
-    is_current() const;
-
-    /** What output and tests read: valid until the next solve. Throws before the first. */
-    const PotentialFields<dim> &
-    fields() const;
+    /**
+     * The potential of the last solve and the space it lives in, for output and tests; valid until the
+     * next one. Includes potential_space.h to be read.
+     */
+    const PotentialSolution<dim> &
+    solution() const;
 
   private:
     struct Implementation;

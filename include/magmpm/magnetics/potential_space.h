@@ -1,6 +1,5 @@
 #pragma once
 
-#include <deal.II/base/timer.h>
 #include <deal.II/distributed/tria.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_q.h>
@@ -83,5 +82,13 @@ namespace magmpm
 
     void
     set_up_matrix_free();
+  };
+
+  /** A potential [A] and the space it belongs to. */
+  template <int dim>
+  struct PotentialSolution
+  {
+    std::unique_ptr<const PotentialSpace<dim>> space;
+    PotentialVector                            potential; ///< hanging nodes not filled in
   };
 } // namespace magmpm

@@ -39,6 +39,16 @@ namespace magmpm
 
     ParticleSums &
     operator+=(const ParticleSums &other);
+
+    /** For the exchange between ranks (Boost.Serialization): all members are doubles. */
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      double *values = reinterpret_cast<double *>(this);
+      for (std::size_t i = 0; i < sizeof(*this) / sizeof(double); ++i)
+        archive & values[i];
+    }
   };
 
   template <int dim>

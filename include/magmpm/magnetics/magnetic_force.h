@@ -1,0 +1,52 @@
+#pragma once
+
+#include <magmpm/magnetics/material_points.h>
+#include <magmpm/magnetics/potential_space.h>
+#include <magmpm/mesh/block_partition.h>
+
+namespace magmpm
+{
+  /**
+   * The split magnetic force on the nodes of the active blocks,
+   *   f_i = mu_0 int [-h ((h + M).grad N_i) + |h|^2/2 grad N_i] + int N_i mu_0 (M.grad) H_ext.
+   * The stress h (x) (h + M) of the field that the material makes itself is not symmetric: h + M is
+   * what is contracted with grad N_i. The stress of H_ext never enters, so that there are no ghost
+   * forces near a strong magnet. The integral is over the cells of active blocks, with the quadrature
+   * points of the solve; nodes whose B-spline reaches beyond active blocks are left at zero.
+   *
+   * @param force  lanes f_x f_y f_z [N] on owned nodes, summed over the ranks; ghosts zero. Collective.
+   */
+  template <int dim>
+  void
+  compute_split_force(const PotentialSolution<dim> &solution,
+                      const MaterialPoints<dim>    &material,
+                      const BlockPartition<dim>    &partition,
+                      NodeField<dim>               &force);
+
+  /**
+   * Moves force that falls on nodes without mass to nodes with mass: the outer of two layers first, in
+   * equal parts to the neighbours (3^dim) in the next inner layer. Conserves the sum over the moved
+   * nodes exactly, on any number of ranks.
+   *
+   * @param mass   lane 3 is the mass, ghosts updated.
+   * @param force  as compute_split_force() leaves it; afterwards zero where no mass is. Collective.
+   * @return this rank's part of the force on nodes further out, which is dropped [N].
+   */
+  template <int dim>
+  Vector<dim>
+  hand_force_inward(const BlockPartition<dim> &partition,
+                    const NodeField<dim>      &mass,
+                    NodeField<dim>            &force);
+
+  /**
+   * H in the material, averaged to nodes: int v N_i H / int v N_i, zero without material.
+   *
+   * @param field  lanes H_x H_y H_z [A/m], ghosts updated. Collective.
+   */
+  template <int dim>
+  void
+  compute_material_field(const PotentialSolution<dim> &solution,
+                         const MaterialPoints<dim>    &material,
+                         const BlockPartition<dim>    &partition,
+                         NodeField<dim>               &field);
+} // namespace magmpm

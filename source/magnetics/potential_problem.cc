@@ -1,0 +1,309 @@
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/timer.h>
+#include <deal.II/lac/solver_cg.h>
+
+#include <magmpm/base/constants.h>
+#include <magmpm/magnetics/magnetic_force.h>
+#include <magmpm/magnetics/open_boundary.h>
+#include <magmpm/magnetics/potential_operator.h>
+#include <magmpm/magnetics/potential_preconditioner.h>
+#include <magmpm/magnetics/potential_problem.h>
+#include <magmpm/magnetics/potential_residual.h>
+
+namespace magmpm
+{
+  namespace
+  {
+    /**
+     * When the preconditioner has served its time: as soon as CG needs twice the iterations per digit
+     * that it needed at best since the last rebuild (two more are allowed, as iterations are whole
+     * numbers).
+     */
+    class RebuildRule
+    {
+    public:
+      bool
+      is_due() const
+      {
+        return due;
+      }
+
+      void
+      rebuilt()
+      {
+        due                  = false;
+        iterations_per_digit = std::numeric_limits<double>::infinity();
+      }
+
+      void
+      count(const int iterations, const double relative_tolerance)
+      {
+        const double digits  = std::max(0.5, -std::log10(relative_tolerance));
+        iterations_per_digit = std::min(iterations_per_digit, iterations / digits);
+        due                  = iterations > 2. * iterations_per_digit * digits + 2.;
+      }
+
+    private:
+      bool   due                  = true;
+      double iterations_per_digit = 0.;
+    };
+  } // namespace
+
+  template <int dim>
+  struct PotentialProblem<dim>::Implementation : public NewtonProblem<PotentialVector>
+  {
+    Implementation(const BackgroundMesh<dim>      &mesh,
+                   const BlockPartition<dim>      &partition,
+                   const MagneticsParameters<dim> &parameters,
+                   dealii::TimerOutput            &timer)
+      : mesh(mesh)
+      , partition(partition)
+      , parameters(parameters)
+      , timer(timer)
+    {}
+
+    /** Everything that depends on the mesh, which has changed. */
+    void
+    set_up();
+
+    /** Brings the material, the sources and the open boundary up to date. */
+    void
+    set_state(const NodeField<dim> &content, const ExternalField<dim> &sources);
+
+    void
+    evaluate(const PotentialVector &potential, PotentialVector &result) override;
+
+    int
+    solve_linearized(const PotentialVector &rhs_negative,
+                     const double           relative_tolerance,
+                     PotentialVector       &step) override;
+
+    /** @return iterations, or -1 if they did not suffice. */
+    int
+    run_cg(const PotentialVector &right_hand_side, const double tolerance, PotentialVector &step);
+
+    void
+    rebuild_preconditioner();
+
+    const BackgroundMesh<dim>     &mesh;
+    const BlockPartition<dim>     &partition;
+    const MagneticsParameters<dim> parameters;
+    dealii::TimerOutput           &timer;
+
+    PotentialSolution<dim>                        solution;
+    unsigned int                                  revision = 0; ///< of the mesh
+    MaterialPoints<dim>                           material;
+    std::unique_ptr<OpenBoundary<dim>>            boundary;
+    PotentialResidual<dim>                        residual;
+    PotentialOperator<dim, double>                jacobian;
+    std::unique_ptr<PotentialPreconditioner<dim>> preconditioner;
+    RebuildRule                                   rule;
+    bool                                          has_rebuilt = false; ///< in this solve
+  };
+
+  template <int dim>
+  void
+  PotentialProblem<dim>::Implementation::set_up()
+  {
+    const dealii::TimerOutput::Scope section(timer, "Set up potential");
+    preconditioner.reset();
+    boundary.reset();
+    jacobian.clear();
+    solution.space     = std::make_unique<const PotentialSpace<dim>>(mesh);
+    solution.potential = solution.space->make_vector();
+    revision           = mesh.revision();
+
+    jacobian.initialize(solution.space->matrix_free);
+    preconditioner = make_preconditioner<dim>(parameters.preconditioner, *solution.space);
+    rule           = RebuildRule();
+  }
+
+  template <int dim>
+  void
+  PotentialProblem<dim>::Implementation::set_state(const NodeField<dim>     &content,
+                                                   const ExternalField<dim> &sources)
+  {
+    const dealii::TimerOutput::Scope section(timer, "Solve potential: material");
+    const PotentialSpace<dim>       &space = *solution.space;
+    material.reinit(
+      space.lattice_cells, partition.blocks(), content, sources, mesh.lattice(), parameters.law);
+
+    // Weights by |M| in the sources' field alone: the centre then depends on the present state only.
+    const auto                          local = material.magnetized_weight();
+    std::array<double, dim + 1>         sums;
+    std::copy_n(local.second.values, dim, sums.begin());
+    sums[dim] = local.first;
+    dealii::Utilities::MPI::sum(sums, mesh.communicator(), sums);
+    Vector<dim> centre = 0.5 * (space.lower_corner + space.upper_corner);
+    for (int d = 0; d < dim && sums[dim] > 0.; ++d)
+      centre[d] = sums[d] / sums[dim];
+    boundary = std::make_unique<OpenBoundary<dim>>(space, parameters.shielded, centre);
+
+    dealii::FullMatrix<double> matrix;
+    jacobian.set_boundary_matrices([&](const unsigned int batch, const unsigned int lane) {
+      return boundary->element_matrix(space.matrix_free->get_cell_iterator(batch, lane), matrix) ?
+               &matrix :
+               nullptr;
+    });
+  }
+
+  template <int dim>
+  void
+  PotentialProblem<dim>::Implementation::evaluate(const PotentialVector &potential,
+                                                  PotentialVector       &result)
+  {
+    const dealii::TimerOutput::Scope section(timer, "Solve potential: residual");
+    residual.evaluate(*solution.space, material, jacobian, potential, result);
+  }
+
+  template <int dim>
+  void
+  PotentialProblem<dim>::Implementation::rebuild_preconditioner()
+  {
+    const dealii::TimerOutput::Scope section(timer, "Solve potential: preconditioner");
+    preconditioner->rebuild(
+      {[this](const unsigned int cell) { return residual.permeability(material, cell); },
+       *boundary});
+    rule.rebuilt();
+    has_rebuilt = true;
+  }
+
+  template <int dim>
+  int
+  PotentialProblem<dim>::Implementation::run_cg(const PotentialVector &right_hand_side,
+                                                const double           tolerance,
+                                                PotentialVector       &step)
+  {
+    const dealii::TimerOutput::Scope section(timer, "Solve potential: CG");
+    dealii::SolverControl            control(parameters.max_cg_iterations, tolerance);
+    dealii::SolverCG<PotentialVector> cg(control);
+    step = 0.;
+    try
+      {
+        cg.solve(jacobian, step, right_hand_side, *preconditioner);
+      }
+    catch (const dealii::SolverControl::NoConvergence &)
+      {
+        return -1;
+      }
+    return static_cast<int>(control.last_step());
+  }
+
+  template <int dim>
+  int
+  PotentialProblem<dim>::Implementation::solve_linearized(const PotentialVector &residual_vector,
+                                                          const double    relative_tolerance,
+                                                          PotentialVector &step)
+  {
+    const PotentialSpace<dim> &space = *solution.space;
+    jacobian.set_permeability([&](const unsigned int batch, const unsigned int lane) {
+      return residual.permeability(material, space.lattice_cell(batch, lane));
+    });
+
+    bool is_fresh = rule.is_due();
+    if (is_fresh)
+      rebuild_preconditioner();
+
+    PotentialVector right_hand_side(residual_vector);
+    right_hand_side *= -1.;
+    const double tolerance  = relative_tolerance * right_hand_side.l2_norm();
+    int          iterations = run_cg(right_hand_side, tolerance, step);
+    if (iterations < 0 && !is_fresh)
+      {
+        rebuild_preconditioner();
+        iterations = parameters.max_cg_iterations + run_cg(right_hand_side, tolerance, step);
+        is_fresh   = true;
+        if (iterations < parameters.max_cg_iterations)
+          iterations = -1;
+      }
+    if (iterations < 0)
+      throw RunError("The linear system of the magnetic potential was not solved in " +
+                     std::to_string(parameters.max_cg_iterations) +
+                     " iterations of CG. Allow more, or choose the other preconditioner.");
+    rule.count(iterations, relative_tolerance);
+    return iterations;
+  }
+
+  template <int dim>
+  PotentialProblem<dim>::PotentialProblem(const BackgroundMesh<dim>      &mesh,
+                                          const BlockPartition<dim>      &partition,
+                                          const MagneticsParameters<dim> &parameters,
+                                          dealii::TimerOutput            &timer)
+    : implementation(std::make_unique<Implementation>(mesh, partition, parameters, timer))
+  {}
+
+  template <int dim>
+  PotentialProblem<dim>::~PotentialProblem() = default;
+
+  template <int dim>
+  SolveReport
+  PotentialProblem<dim>::solve(const NodeField<dim> &content, const ExternalField<dim> &sources)
+  {
+    Implementation  &problem   = *implementation;
+    PotentialVector &potential = problem.solution.potential;
+    if (!problem.solution.space || problem.revision != problem.mesh.revision())
+      problem.set_up();
+    problem.set_state(content, sources);
+    problem.has_rebuilt = false;
+
+    // The tolerance refers to the residual at zero potential, however good the start is.
+    SolveReport     report;
+    PotentialVector zero = problem.solution.space->make_vector(), residual(zero);
+    problem.evaluate(zero, residual);
+    report.zero_residual = residual.l2_norm();
+    if (report.zero_residual == 0.)
+      potential = 0.;
+
+    NewtonParameters newton;
+    newton.tolerance = problem.parameters.newton_tolerance * report.zero_residual;
+    newton.max_steps = problem.parameters.max_newton_steps;
+    newton.is_linear = problem.parameters.law == MagnetizationLaw::linear;
+    report.newton    = damped_newton<PotentialVector>(problem, newton, potential);
+
+    report.preconditioner_rebuilt = problem.has_rebuilt;
+    report.energy                 = -constants::vacuum_permeability * problem.residual.energy();
+    report.n_unknowns             = n_unknowns();
+    return report;
+  }
+
+  template <int dim>
+  Vector<dim>
+  PotentialProblem<dim>::compute_force(const NodeField<dim> &mass, NodeField<dim> &force) const
+  {
+    const Implementation            &problem = *implementation;
+    const dealii::TimerOutput::Scope section(problem.timer, "Compute magnetic force");
+    compute_split_force(problem.solution, problem.material, problem.partition, force);
+    Vector<dim> dropped = hand_force_inward(problem.partition, mass, force);
+    problem.partition.update_ghosts(force);
+    for (int d = 0; d < dim; ++d)
+      dropped[d] = dealii::Utilities::MPI::sum(dropped[d], problem.mesh.communicator());
+    return dropped;
+  }
+
+  template <int dim>
+  void
+  PotentialProblem<dim>::compute_field(NodeField<dim> &field) const
+  {
+    const Implementation            &problem = *implementation;
+    const dealii::TimerOutput::Scope section(problem.timer, "Compute magnetic force");
+    compute_material_field(problem.solution, problem.material, problem.partition, field);
+  }
+
+  template <int dim>
+  unsigned long long
+  PotentialProblem<dim>::n_unknowns() const
+  {
+    const auto &space = implementation->solution.space;
+    return space ? space->dof_handler.n_dofs() : 0;
+  }
+
+  template <int dim>
+  const PotentialSolution<dim> &
+  PotentialProblem<dim>::solution() const
+  {
+    return implementation->solution;
+  }
+
+  template class PotentialProblem<2>;
+  template class PotentialProblem<3>;
+} // namespace magmpm

@@ -1,0 +1,59 @@
+#include <magmpm/base/version.h>
+#include <magmpm/io/command_line.h>
+#include <magmpm/io/error_report.h>
+#include <magmpm/io/parameters.h>
+#include <magmpm/simulation.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <iostream>
+
+using namespace magmpm;
+
+template <int dim>
+static void
+run_scene(const ParameterFile &file, const bool only_validate, std::ostream &terminal)
+{
+  const Parameters<dim> parameters = read_parameters<dim>(file);
+  if (!only_validate)
+    return Simulation<dim>(parameters, MPI_COMM_WORLD).run();
+
+  terminal << file.name << ": valid" << std::endl;
+  for (const std::string &warning : parameters.warnings)
+    terminal << "warning: " << warning << std::endl;
+}
+
+static void
+run_program(const CommandLine &command_line, std::ostream &terminal)
+{
+  using Task = CommandLine::Task;
+  if (command_line.task == Task::help)
+    terminal << usage();
+  else if (command_line.task == Task::version)
+    terminal << version_string() << std::endl;
+  else if (command_line.task == Task::print_parameters)
+    terminal << parameter_manual();
+  else
+    {
+      const ParameterFile file = read_parameter_file(command_line.file, command_line.overrides);
+      const bool only_validate = command_line.task == Task::validate;
+      if (read_dimension(file) == 2)
+        run_scene<2>(file, only_validate, terminal);
+      else
+        run_scene<3>(file, only_validate, terminal);
+    }
+}
+
+int
+main(int argc, char **argv)
+{
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+
+  // Of all ranks only the first is heard.
+  std::ostream silence(nullptr);
+  const bool first       = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+  std::ostream &terminal = first ? std::cout : silence;
+  return static_cast<int>(report_errors(MPI_COMM_WORLD, std::cerr, [&]() {
+    run_program(parse_command_line({argv + 1, argv + argc}), terminal);
+  }));
+}
