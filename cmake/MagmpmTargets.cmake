@@ -30,7 +30,9 @@ endif()
 
 # deal.II as a target that carries its include folders, definitions and libraries, but not the
 # optimization flags of the distribution's build (deal_ii_setup_target would bring these).
-include(${DEAL_II_TARGET_CONFIG})
+if(NOT DEAL_II_TARGET_CONFIG_INCLUDED)
+  include(${DEAL_II_TARGET_CONFIG})
+endif()
 string(TOUPPER ${CMAKE_BUILD_TYPE} build_type)
 if(build_type STREQUAL "DEBUG" AND NOT DEAL_II_BUILD_TYPE MATCHES "Debug")
   message(WARNING "deal.II at ${DEAL_II_PATH} has no debug library: its assertions stay off.")
@@ -52,7 +54,6 @@ set(kernel_sources ${core_sources})
 list(FILTER kernel_sources INCLUDE REGEX
      "/source/((base|lattice|materials)/[^/]*|particles/[^/]*transfer[^/]*)[.]cc$")
 list(REMOVE_ITEM core_sources ${kernel_sources} ${PROJECT_SOURCE_DIR}/source/main.cc)
-
 
 # The version's commit: written again after a commit or checkout, which append to git's log of HEAD.
 set(version_source ${PROJECT_BINARY_DIR}/version.cc)

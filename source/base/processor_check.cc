@@ -84,8 +84,7 @@ namespace magmpm
       [[maybe_unused]] const auto n_written = write(STDERR_FILENO, text, std::strlen(text));
     }
 
-    // 101 is the first priority a program may take: before every constructor of a static object.
-    __attribute__((constructor(101))) void
+    void
     check_processor()
     {
       char missing[256];
@@ -98,6 +97,11 @@ namespace magmpm
       print("; build it on this machine, or configure it with -DMAGMPM_NATIVE=OFF.\n");
       _exit(1);
     }
+
+    // The loader calls what stands here first of all. A constructor, whatever its priority, would
+    // come too late: those of the shared libraries run before it, and these call our copies of
+    // functions that both sides instantiate (std::vector<std::string>, say).
+    __attribute__((section(".preinit_array"), used)) void (*const run_first)() = check_processor;
   } // namespace
 #endif
 } // namespace magmpm

@@ -109,7 +109,9 @@ namespace magmpm
     preconditioner.reset();
     boundary.reset();
     jacobian.clear();
-    solution.space     = std::make_unique<const PotentialSpace<dim>>(mesh);
+    solution.space =
+      std::make_unique<const PotentialSpace<dim>>(mesh,
+                                                  parameters.preconditioner == Preconditioner::gmg);
     solution.potential = solution.space->make_vector();
     revision           = mesh.revision();
 
@@ -129,11 +131,13 @@ namespace magmpm
       space.lattice_cells, partition.blocks(), content, sources, mesh.lattice(), parameters.law);
 
     // Weights by |M| in the sources' field alone: the centre then depends on the present state only.
-    const auto                          local = material.magnetized_weight();
-    std::array<double, dim + 1>         sums;
+    const auto                  local = material.magnetized_weight();
+    std::array<double, dim + 1> sums;
     std::copy_n(local.second.values, dim, sums.begin());
     sums[dim] = local.first;
-    dealii::Utilities::MPI::sum(sums, mesh.communicator(), sums);
+    dealii::Utilities::MPI::sum(dealii::ArrayView<const double>(sums.data(), sums.size()),
+                                mesh.communicator(),
+                                dealii::ArrayView<double>(sums.data(), sums.size()));
     Vector<dim> centre = 0.5 * (space.lower_corner + space.upper_corner);
     for (int d = 0; d < dim && sums[dim] > 0.; ++d)
       centre[d] = sums[d] / sums[dim];

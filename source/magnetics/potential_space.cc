@@ -8,12 +8,14 @@
 namespace magmpm
 {
   template <int dim>
-  PotentialSpace<dim>::PotentialSpace(const BackgroundMesh<dim> &mesh)
+  PotentialSpace<dim>::PotentialSpace(const BackgroundMesh<dim> &mesh, const bool with_levels)
     : mesh(mesh)
     , fe(potential_degree)
     , dof_handler(mesh.triangulation())
   {
     dof_handler.distribute_dofs(fe);
+    if (with_levels)
+      dof_handler.distribute_mg_dofs();
     dealii::DoFTools::extract_locally_relevant_dofs(dof_handler, relevant_dofs);
     constraints.reinit(relevant_dofs);
     dealii::DoFTools::make_hanging_node_constraints(dof_handler, constraints);

@@ -90,7 +90,7 @@ namespace magmpm
       return text.substr(0, text.find_last_not_of(" .") + 1) + '.';
     }
 
-    /** deal.II prints parser errors on standard error besides throwing them: not as long as this lives. */
+    /** As long as it lives, deal.II throws parser errors without printing them as well. */
     class QuietErrorStream
     {
     public:

@@ -84,10 +84,14 @@ namespace
   {
     vtkDataArray *velocity = grid->GetPointData()->GetArray("velocity [m/s]");
     vtkDataArray *J        = grid->GetPointData()->GetArray("J [-]");
-    REQUIRE(velocity != nullptr);
-    REQUIRE(J != nullptr);
-    REQUIRE(velocity->GetNumberOfComponents() == 3);
-    REQUIRE(J->GetNumberOfComponents() == 1);
+    CHECK(velocity != nullptr);
+    CHECK(J != nullptr);
+    if (velocity == nullptr || J == nullptr)
+      return; // no REQUIRE: the other ranks would wait for this one
+    CHECK(J->GetNumberOfComponents() == 1);
+    CHECK(velocity->GetNumberOfComponents() == 3);
+    if (velocity->GetNumberOfComponents() != 3)
+      return;
 
     double worst = 0.;
     for (vtkIdType p = 0; p < grid->GetNumberOfPoints(); ++p)

@@ -95,8 +95,8 @@ TEST_CASE("the nodes of a block are numbered with x fastest", "[lattice]")
 
 TEST_CASE("the lanes of a node field do not overlap", "[lattice]")
 {
-  // A different number in every lane of every node, read back through the pointer of its block. The
-  // sum over 3 blocks x 16 nodes x 4 lanes of 0 .. 191 would miss 191 * 192/2 if two shared a place.
+  // A different number in every lane of every node, read back through the pointer of its block: 0
+  // to 191 for 3 blocks, 16 nodes, 4 lanes. Their sum is 191 * 192/2 only if no two share a place.
   NodeField<2> field;
   field.reinit(3);
   CHECK(field.n_blocks() == 3);

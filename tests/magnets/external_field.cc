@@ -125,8 +125,8 @@ TEMPLATE_TEST_CASE_SIG("at the surface of a magnetized sphere normal B and tange
                        2,
                        3)
 {
-  // Just inside B = mu0 (H + M), outside B = mu0 H: n.(H + M) inside is n.H outside, and the rest of
-  // H is the same. Points 1e-9 m off the surface leave about 1e-7 of M.
+  // Just inside B = mu0 (H + M), outside B = mu0 H: n.(H + M) inside is n.H outside, and the rest
+  // of H is the same. Points 1e-9 m off the surface leave about 1e-7 of M.
   const MagnetizedSphere<dim> sphere(sphere_parameters<dim>());
   const Vector<dim> m = magnetization_of_sphere<dim>();
   for (const Vector<dim> &n : directions<dim>())
@@ -168,8 +168,8 @@ TEMPLATE_TEST_CASE_SIG("inside of a magnetized sphere the field is -M/3, of a cy
 
 TEST_CASE("far away a magnetized sphere is a dipole", "[magnets]")
 {
-  // H = (3 (m.n) n - m)/(4 pi r^3) of the moment m = 4/3 pi R^3 M, in 2D (2 (m.n) n - m)/(2 pi r^2) of
-  // the moment per length pi R^2 M: textbook formulas, in terms of moments.
+  // H = (3 (m.n) n - m)/(4 pi r^3) of the moment m = 4/3 pi R^3 M, in 2D
+  // (2 (m.n) n - m)/(2 pi r^2) of the moment per length pi R^2 M: textbook formulas.
   const MagnetizedSphere<3> sphere(sphere_parameters<3>());
   const Vector<3> m3 = sphere.moment();
   CHECK(m3[1] == Approx(-1e6 * 4. / 3. * constants::pi * 1.25e-4));
@@ -252,8 +252,8 @@ TEST_CASE("a moving magnet takes its field along and knows its velocity", "[magn
 
 TEST_CASE("an external field knows how much it changed since it was remembered", "[magnets]")
 {
-  // A field that grows by 1 % a second, and a magnet that moves 3 m/s and 4 m/s: after half a second
-  // 0.01 * 0.5/1.005 of the strength, 2.5 m. What was never remembered changed without bounds.
+  // A field that grows by 1 % a second, and a magnet that moves 3 m/s and 4 m/s: after half a
+  // second 0.005/1.005 of the strength, 2.5 m. What was never remembered changed without bounds.
   SourceParameters<2> growing = uniform_parameters<2>();
   growing.field               = "1e4*(1 + 0.01*t); 0";
   SourceParameters<2> moving  = sphere_parameters<2>();

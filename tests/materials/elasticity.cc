@@ -4,7 +4,6 @@
 #include "catch.h"
 
 #include <cmath>
-#include <limits>
 #include <random>
 
 using namespace magmpm;
@@ -196,8 +195,8 @@ TEST_CASE("the wave speed of the undeformed solid is that of the textbook", "[ma
 
 TEST_CASE("the wave speed is a number for every positive volume ratio", "[materials]")
 {
-  // From crushed to a speck to torn to a hundred times the size, where lambda (1 - ln J) is far below
-  // zero: never NaN, never below the shear speed in the direction of the largest stretch.
+  // From crushed to a speck to torn to a hundred times the size, where lambda (1 - ln J) is far
+  // below zero: never NaN, never below the shear speed in the direction of the largest stretch.
   for (double stretch = 1e-6; stretch < 200.; stretch *= 1.5)
     {
       const double speed = solid<3>.wave_speed(stretch * identity<3>());
@@ -208,8 +207,8 @@ TEST_CASE("the wave speed is a number for every positive volume ratio", "[materi
 
 TEST_CASE("the volume ratio of a fluid follows the divergence and stays positive", "[materials]")
 {
-  // J exp(dt div v): at constant div v = -3/s, a hundred steps of 0.01 s are one of 1 s, exp(-3); and
-  // a step a thousand times too long still leaves J positive.
+  // J exp(dt div v): at constant div v = -3/s, a hundred steps of 0.01 s are one of 1 s, exp(-3);
+  // and a step a thousand times too long still leaves J positive.
   const Matrix<3> inward = (-1.) * identity<3>();
   double j               = ViscoelasticFluid<3>::undeformed();
   CHECK(j == 1.);
@@ -228,8 +227,8 @@ TEMPLATE_TEST_CASE_SIG("a compressed fluid pushes outwards, and its work is its 
                        2,
                        3)
 {
-  // At rest and compressed to J = 0.9 the Cauchy stress is -K (1 - J) I = -2e4 Pa. The work tau:grad v
-  // of the pressure is the rate of K/2 (1 - J)^2 (central difference, error about 1e-10).
+  // At rest and compressed to J = 0.9 the Cauchy stress is -K (1 - J) I = -2e4 Pa. The work
+  // tau:grad v of the pressure is the rate of K/2 (1 - J)^2 (by a central difference).
   const Matrix<dim> stress = fluid<dim>.kirchhoff_stress(0.9, {});
   for (int i = 0; i < dim; ++i)
     for (int k = 0; k < dim; ++k)

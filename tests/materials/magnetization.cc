@@ -4,7 +4,6 @@
 #include "catch.h"
 
 #include <cmath>
-#include <limits>
 
 using namespace magmpm;
 
@@ -131,8 +130,8 @@ TEMPLATE_TEST_CASE_SIG("zero field and zero content give zeros, not 0/0",
                        2,
                        3)
 {
-  // At H = 0 the tangent is chi_0 I for either law, without saturation; without content, or with one
-  // half of it, there is nothing at all.
+  // At H = 0 the tangent is chi_0 I for either law; without content, or without susceptibility,
+  // there is nothing at all.
   for (const MagnetizationLaw law : {MagnetizationLaw::linear, MagnetizationLaw::langevin})
     {
       const auto at_zero = magnetic_response<dim>(law, paper, {});

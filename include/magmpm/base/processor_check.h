@@ -6,7 +6,7 @@ namespace magmpm
 {
   /*
    * A program compiled with -march=native dies of an illegal instruction on an older processor.
-   * Before anything else runs, a constructor in processor_check.cc compares what the program was
+   * So the first code of the program to run, before all constructors, compares what the program was
    * compiled for with what the processor has; if something is missing, it says so in one sentence
    * on standard error and ends the program with exit code 1. On architectures other than x86-64 it
    * does nothing.

@@ -37,7 +37,8 @@ namespace magmpm
   public:
     using CellIterator = typename dealii::Triangulation<dim>::cell_iterator;
 
-    explicit PotentialSpace(const BackgroundMesh<dim> &mesh);
+    /** @param with_levels  also number the degrees of freedom on the levels, for multigrid. */
+    PotentialSpace(const BackgroundMesh<dim> &mesh, const bool with_levels);
 
     const BackgroundMesh<dim> &mesh;
 

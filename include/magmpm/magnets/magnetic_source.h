@@ -32,7 +32,9 @@ namespace magmpm
     virtual Vector<dim>
     field(const Vector<dim> &point) const = 0;
 
-    /** G(i,j) = dH_i/dx_j [A/m^2] at @p point [m]; symmetric and without trace outside of the source. */
+    /**
+     * G(i,j) = dH_i/dx_j [A/m^2] at @p point [m]; symmetric and free of trace outside the source.
+     */
     virtual Matrix<dim>
     field_gradient(const Vector<dim> &point) const = 0;
 

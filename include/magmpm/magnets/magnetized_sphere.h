@@ -11,15 +11,18 @@ namespace magmpm
    * may be solid. With r, n the distance and direction from its centre,
    *   inside:   H = -M/dim,
    *   outside:  H = (R/r)^dim (dim (M.n) n - M)/dim,
-   * in 3D the field of a dipole of moment M 4/3 pi R^3. In 2D it is a cylinder magnetized across its
-   * axis, outside a line dipole. The surface itself belongs to the outside, so that material that
-   * lies on a solid magnet feels its field; H.n jumps there by M.n.
+   * in 3D the field of a dipole of moment M 4/3 pi R^3. In 2D it is a cylinder magnetized across
+   * its axis, outside a line dipole. The surface itself belongs to the outside, so that material
+   * that lies on a solid magnet feels its field; H.n jumps there by M.n.
    */
   template <int dim>
   class MagnetizedSphere : public MagneticSource<dim>
   {
   public:
-    /** @throw InputError  if position or magnetization cannot be parsed, or the radius is not positive. */
+    /**
+     * @throw InputError  if position or magnetization cannot be parsed, or the radius is not
+     *                    positive.
+     */
     explicit MagnetizedSphere(const SourceParameters<dim> &parameters);
 
     void

@@ -39,7 +39,7 @@ namespace magmpm
     }
 
     /**
-     * J after a step: J exp(dt div v), the exact solution at constant div v, which keeps J positive.
+     * J after a step: J exp(dt div v), exact at constant div v; it keeps J positive.
      *
      * @param velocity_gradient  (i,j) = dv_i/dx_j [1/s].
      * @param time_step          dt [s].

@@ -1,0 +1,451 @@
+#include <magmpm/base/constants.h>
+#include <magmpm/base/exceptions.h>
+#include <magmpm/io/field_output.h>
+#include <magmpm/magnetics/cell_stencil.h>
+#include <magmpm/magnetics/potential_space.h>
+#include <magmpm/materials/magnetization.h>
+
+#include <deal.II/base/data_out_base.h>
+#include <deal.II/base/mpi.h>
+#include <deal.II/fe/fe_tools.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace magmpm
+{
+  namespace
+  {
+    const std::string subfolder = "fields";
+
+    template <int dim>
+    constexpr int n_cell_nodes = power(potential_degree + 1, dim);
+
+    /** The fields at one node. */
+    template <int dim>
+    struct NodeValues
+    {
+      double      potential;
+      double      number_density;
+      Vector<dim> self_field, field, magnetization;
+    };
+
+    struct Quantity
+    {
+      std::string name, unit;
+      bool        is_vector;
+    };
+
+    const std::vector<Quantity> &
+    all_quantities()
+    {
+      static const std::vector<Quantity> list = {{"potential", "A", false},
+                                                 {"H_int", "A/m", true},
+                                                 {"H", "A/m", true},
+                                                 {"M", "A/m", true},
+                                                 {"B", "T", true},
+                                                 {"number_density", "1/m^3", false}};
+      return list;
+    }
+
+    /** Writes the components of one quantity. */
+    template <int dim>
+    void
+    evaluate(const std::string &quantity, const NodeValues<dim> &at, double *components)
+    {
+      const auto put = [components](const Vector<dim> &vector) {
+        std::copy_n(vector.values, dim, components);
+      };
+      if (quantity == "potential")
+        components[0] = at.potential;
+      else if (quantity == "H_int")
+        put(at.self_field);
+      else if (quantity == "H")
+        put(at.field);
+      else if (quantity == "M")
+        put(at.magnetization);
+      else if (quantity == "B")
+        put(constants::vacuum_permeability * (at.field + at.magnetization));
+      else if (quantity == "number_density")
+        components[0] = at.number_density;
+    }
+
+    /** Derivatives of the shape functions of FE_Q(2) at its nodes on [0, 1]: (node, function). */
+    constexpr double derivative_1d[3][3] = {{-3., 4., -1.}, {-1., 0., 1.}, {1., -4., 3.}};
+
+    /** Quadratic B-splines of spacing dx at a node: of the node before it, its own, the next. */
+    constexpr double bspline_at_node[3] = {0.125, 0.75, 0.125};
+
+    int
+    place(const int node, const int axis)
+    {
+      return node / power(3, axis) % 3;
+    }
+
+    /** Means over the cells around a node, continuous also at hanging nodes. */
+    template <int dim, int n_components>
+    class NodalMean
+    {
+    public:
+      using Values = std::array<double, n_components>;
+
+      explicit NodalMean(const PotentialSpace<dim> &space)
+        : space(space)
+      {
+        for (PotentialVector &sum : sums)
+          sum.reinit(space.dof_handler.locally_owned_dofs(),
+                     space.relevant_dofs,
+                     space.mesh.communicator());
+        count.reinit(sums[0]);
+      }
+
+      void
+      add(const dealii::types::global_dof_index dof, const Values &values)
+      {
+        for (int c = 0; c < n_components; ++c)
+          sums[c](dof) += values[c];
+        count(dof) += 1.;
+      }
+
+      /** Collective. */
+      void
+      finish()
+      {
+        count.compress(dealii::VectorOperation::add);
+        for (PotentialVector &sum : sums)
+          {
+            sum.compress(dealii::VectorOperation::add);
+            for (unsigned int i = 0; i < sum.locally_owned_size(); ++i)
+              if (count.local_element(i) > 0.)
+                sum.local_element(i) /= count.local_element(i);
+            space.constraints.distribute(sum);
+            sum.update_ghost_values();
+          }
+      }
+
+      Values
+      operator()(const dealii::types::global_dof_index dof) const
+      {
+        Values values;
+        for (int c = 0; c < n_components; ++c)
+          values[c] = sums[c](dof);
+        return values;
+      }
+
+    private:
+      const PotentialSpace<dim>                  &space;
+      std::array<PotentialVector, n_components> sums;
+      PotentialVector                            count;
+    };
+
+    /** What is known at the nodes of the mesh: potential, its mean gradient, and the content. */
+    template <int dim>
+    class NodalFields
+    {
+    public:
+      NodalFields(const PotentialSolution<dim> &solution,
+                  const BlockSet<dim>          &blocks,
+                  const NodeField<dim>         &content,
+                  const ExternalField<dim>     &sources,
+                  const MagnetizationLaw        law)
+        : space(*solution.space)
+        , blocks(blocks)
+        , content(content)
+        , sources(sources)
+        , law(law)
+        , lexicographic(
+            dealii::FETools::lexicographic_to_hierarchic_numbering<dim>(potential_degree))
+        , potential(space.with_ghosts(solution.potential))
+        , self_field(space)
+        , magnetic_content(space)
+      {
+        for (const auto &cell : space.dof_handler.active_cell_iterators())
+          if (cell->is_locally_owned())
+            {
+              add_self_field(dofs_of(cell), cell->extent_in_direction(0));
+              const unsigned int lattice_cell =
+                space.lattice_cell_of_active_cell[cell->active_cell_index()];
+              if (lattice_cell != invalid_entry)
+                add_content(dofs_of(cell), space.lattice_cells[lattice_cell]);
+            }
+        self_field.finish();
+        magnetic_content.finish();
+      }
+
+      using Dofs = std::array<dealii::types::global_dof_index, n_cell_nodes<dim>>;
+
+      /** Degrees of freedom of a cell, lexicographic. */
+      template <typename Cell>
+      Dofs
+      dofs_of(const Cell &cell) const
+      {
+        std::vector<dealii::types::global_dof_index> hierarchic(n_cell_nodes<dim>);
+        cell->get_dof_indices(hierarchic);
+        Dofs dofs;
+        for (int i = 0; i < n_cell_nodes<dim>; ++i)
+          dofs[i] = hierarchic[lexicographic[i]];
+        return dofs;
+      }
+
+      NodeValues<dim>
+      operator()(const dealii::types::global_dof_index dof, const Vector<dim> &position) const
+      {
+        NodeValues<dim> values;
+        values.potential = potential(dof);
+        std::copy_n(self_field(dof).data(), dim, values.self_field.values);
+        values.field = values.self_field + sources.field(position);
+
+        const std::array<double, 3> lanes = magnetic_content(dof);
+        MagneticContent             material;
+        material.saturation_magnetization = lanes[0];
+        material.initial_susceptibility   = lanes[1];
+        values.number_density             = lanes[2];
+        values.magnetization              = magnetization<dim>(law, material, values.field);
+        return values;
+      }
+
+    private:
+      const PotentialSpace<dim>      &space;
+      const BlockSet<dim>            &blocks;
+      const NodeField<dim>           &content;
+      const ExternalField<dim>       &sources;
+      const MagnetizationLaw          law;
+      const std::vector<unsigned int> lexicographic;
+
+      PotentialVector     potential;
+      NodalMean<dim, dim> self_field;
+      NodalMean<dim, 3>   magnetic_content; ///< densities of M_s, chi_0 and grains
+
+      void
+      add_self_field(const Dofs &dofs, const double edge)
+      {
+        std::array<double, n_cell_nodes<dim>> values;
+        for (int i = 0; i < n_cell_nodes<dim>; ++i)
+          values[i] = potential(dofs[i]);
+        for (int node = 0; node < n_cell_nodes<dim>; ++node)
+          {
+            // Along an axis only the functions of the nodes on this line are not zero.
+            std::array<double, dim> h = {};
+            for (int axis = 0; axis < dim; ++axis)
+              for (int k = 0; k < 3; ++k)
+                h[axis] -= derivative_1d[place(node, axis)][k] / edge *
+                           values[node + (k - place(node, axis)) * power(3, axis)];
+            self_field.add(dofs[node], h);
+          }
+      }
+
+      void
+      add_content(const Dofs &dofs, const Index<dim> &lower_node)
+      {
+        const Index<dim> block = block_of<dim>(lower_node);
+        const int        slot  = blocks.slot(block);
+        if (slot == invalid_slot || slot >= blocks.n_owned())
+          return;
+        Index<dim> corner;
+        for (int d = 0; d < dim; ++d)
+          corner[d] = lower_node[d] - block_edge * block[d];
+        StencilValues<dim> stencil;
+        CellStencil<dim>().gather(content, blocks, slot, corner, stencil);
+
+        for (int node = 0; node < n_cell_nodes<dim>; ++node)
+          {
+            std::array<double, 3> lanes = {};
+            for (int neighbour = 0; neighbour < n_neighbours<dim>; ++neighbour)
+              {
+                double weight = 1.;
+                int    number = 0;
+                for (int d = 0; d < dim; ++d)
+                  {
+                    weight *= bspline_at_node[place(neighbour, d)];
+                    number += power(stencil_edge, d) * (place(node, d) + place(neighbour, d));
+                  }
+                for (int lane = 0; lane < 3; ++lane)
+                  lanes[lane] += weight * stencil[number * n_lanes + 1 + lane];
+              }
+            magnetic_content.add(dofs[node], lanes);
+          }
+      }
+    };
+
+    /** The cells of this rank in the form deal.II writes. */
+    template <int dim>
+    class FieldPatches : public dealii::DataOutInterface<dim>
+    {
+    public:
+      FieldPatches(const PotentialSpace<dim>      &space,
+                   const NodalFields<dim>         &fields,
+                   const std::vector<std::string> &selection);
+
+    private:
+      using Patch = dealii::DataOutBase::Patch<dim>;
+      using NonscalarRange =
+        std::tuple<unsigned int,
+                   unsigned int,
+                   std::string,
+                   dealii::DataComponentInterpretation::DataComponentInterpretation>;
+
+      const std::vector<Patch> &
+      get_patches() const override
+      {
+        return patches;
+      }
+
+      std::vector<std::string>
+      get_dataset_names() const override
+      {
+        return dataset_names;
+      }
+
+      std::vector<NonscalarRange>
+      get_nonscalar_data_ranges() const override
+      {
+        return nonscalar_ranges;
+      }
+
+      template <typename Cell>
+      void
+      add_patch(const Cell &cell, const NodalFields<dim> &fields);
+
+      std::vector<Quantity>       quantities;
+      std::vector<Patch>          patches;
+      std::vector<std::string>    dataset_names; ///< one for each component
+      std::vector<NonscalarRange> nonscalar_ranges;
+    };
+
+    template <int dim>
+    FieldPatches<dim>::FieldPatches(const PotentialSpace<dim>      &space,
+                                    const NodalFields<dim>         &fields,
+                                    const std::vector<std::string> &selection)
+    {
+      for (const Quantity &quantity : all_quantities())
+        if (std::count(selection.begin(), selection.end(), quantity.name) > 0)
+          {
+            const std::string  name  = quantity.name + " [" + quantity.unit + "]";
+            const unsigned int first = dataset_names.size();
+            if (quantity.is_vector)
+              nonscalar_ranges.emplace_back(
+                first,
+                first + dim - 1,
+                name,
+                dealii::DataComponentInterpretation::component_is_part_of_vector);
+            dataset_names.insert(dataset_names.end(), quantity.is_vector ? dim : 1, name);
+            quantities.push_back(quantity);
+          }
+
+      for (const auto &cell : space.dof_handler.active_cell_iterators())
+        if (cell->is_locally_owned())
+          add_patch(cell, fields);
+    }
+
+    template <int dim>
+    template <typename Cell>
+    void
+    FieldPatches<dim>::add_patch(const Cell &cell, const NodalFields<dim> &fields)
+    {
+      Patch patch;
+      patch.patch_index    = patches.size();
+      patch.n_subdivisions = potential_degree;
+      patch.reference_cell = dealii::ReferenceCells::get_hypercube<dim>();
+      for (const unsigned int v : cell->vertex_indices())
+        patch.vertices[v] = cell->vertex(v);
+
+      const auto   dofs = fields.dofs_of(cell);
+      const double edge = cell->extent_in_direction(0);
+      patch.data.reinit(dataset_names.size(), n_cell_nodes<dim>);
+      for (int node = 0; node < n_cell_nodes<dim>; ++node)
+        {
+          Vector<dim> position;
+          for (int d = 0; d < dim; ++d)
+            position[d] = cell->vertex(0)[d] + 0.5 * edge * place(node, d);
+          const NodeValues<dim> values = fields(dofs[node], position);
+
+          unsigned int row = 0;
+          for (const Quantity &quantity : quantities)
+            {
+              double components[dim];
+              evaluate(quantity.name, values, components);
+              for (int c = 0; c < (quantity.is_vector ? dim : 1); ++c)
+                patch.data(row++, node) = static_cast<float>(components[c]);
+            }
+        }
+      patches.push_back(patch);
+    }
+  } // namespace
+
+  template <int dim>
+  const std::vector<std::string> &
+  FieldOutput<dim>::quantity_names()
+  {
+    static const std::vector<std::string> names = [] {
+      std::vector<std::string> list;
+      for (const Quantity &quantity : all_quantities())
+        list.push_back(quantity.name);
+      return list;
+    }();
+    return names;
+  }
+
+  template <int dim>
+  FieldOutput<dim>::FieldOutput(const MPI_Comm                  communicator,
+                                const std::string              &directory,
+                                const std::vector<std::string> &quantities,
+                                const MagnetizationLaw          law)
+    : communicator(communicator)
+    , directory(directory)
+    , quantities(quantities)
+    , law(law)
+    , record(directory + "/" + subfolder + ".pvd")
+  {
+    std::string allowed;
+    for (const std::string &name : quantity_names())
+      allowed += (allowed.empty() ? "" : ", ") + name;
+    for (const std::string &name : quantities)
+      if (std::count(quantity_names().begin(), quantity_names().end(), name) == 0)
+        throw InputError("The field quantity '" + name + "' is unknown. Allowed are: " + allowed + ".");
+
+    // All ranks learn of a failure: one that threw alone would leave the others waiting.
+    const std::filesystem::path folder  = std::filesystem::path(directory) / subfolder;
+    int                         is_made = 1;
+    if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+      {
+        std::error_code error;
+        std::filesystem::create_directories(folder, error);
+        is_made = !error;
+      }
+    if (dealii::Utilities::MPI::min(is_made, communicator) == 0)
+      throw RunError("The folder '" + folder.string() +
+                     "' for the fields cannot be made. Are you allowed to write there?");
+  }
+
+  template <int dim>
+  void
+  FieldOutput<dim>::write_frame(const unsigned int           frame,
+                                const double                 time,
+                                const PotentialProblem<dim> &potential,
+                                const BlockPartition<dim>   &partition,
+                                const NodeField<dim>        &content,
+                                const ExternalField<dim>    &sources)
+  {
+    const PotentialSolution<dim> &solution = potential.solution();
+    const NodalFields<dim>        fields(solution, partition.blocks(), content, sources, law);
+    FieldPatches<dim>             output(*solution.space, fields, quantities);
+
+    // best_compression, deal.II's default, takes several times as long for a few percent of space.
+    dealii::DataOutBase::VtkFlags flags;
+    flags.time                = time;
+    flags.cycle               = frame;
+    flags.print_date_and_time = false; // equal runs, equal files
+    flags.compression_level   = dealii::DataOutBase::VtkFlags::best_speed;
+    output.set_flags(flags);
+
+    const unsigned int n_digits = 4;
+    const unsigned int n_groups = 1; // one file a frame, whatever the number of ranks
+    const std::string  pvtu     = output.write_vtu_with_pvtu_record(
+      directory + "/" + subfolder + "/", subfolder, frame, communicator, n_digits, n_groups);
+    if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+      record.add(time, subfolder + "/" + pvtu);
+  }
+
+  template class FieldOutput<2>;
+  template class FieldOutput<3>;
+} // namespace magmpm

@@ -1,0 +1,327 @@
+// The wording of the messages on wrong parameter files. Each one says where the fault is, which value
+// is wrong, what is allowed and, where it is not plain, what to do; a user sees nothing else.
+
+#include "../catch.h"
+
+#include <magmpm/base/exceptions.h>
+#include <magmpm/io/parameters.h>
+
+using namespace magmpm;
+
+namespace
+{
+  const char *const valid_text = R"(set End time = 1
+subsection Box
+  set Upper corner = 1, 1, 1
+  set Cell size = 0.0625
+end
+subsection Bodies
+  set List of bodies = cube
+  subsection cube
+    set Material = clay
+    set Lower corner = 0.25, 0.25, 0.5
+    set Upper corner = 0.75, 0.75, 0.75
+    set Density = 1000
+  end
+end
+subsection Materials
+  set List of materials = clay
+  subsection clay
+    set Young's modulus = 1e5
+    set Poisson ratio = 0.3
+    set Saturation magnetization = 8e4
+    set Initial susceptibility = 1
+  end
+end
+subsection Magnets
+  set List of magnets = magnet
+  subsection magnet
+    set Type = magnetized sphere
+    set Position = 0.5; 0.5; 0.25
+    set Magnetization = 0; 0; 1e6
+    set Radius = 0.125
+    set Contact = separate
+  end
+end
+)";
+
+  /** The message on a text, or nothing if it is valid. */
+  std::string
+  message_on(const std::string &text, const std::vector<std::string> &overrides = {})
+  {
+    try
+      {
+        const ParameterFile file = parse_parameter_text(text, "cube.prm", overrides);
+        read_dimension(file) == 2 ? (void)read_parameters<2>(file) : (void)read_parameters<3>(file);
+      }
+    catch (const InputError &error)
+      {
+        return error.what();
+      }
+    return "";
+  }
+
+  /** The message on the valid text with one value changed, without the value's place in front. */
+  std::string
+  message_with(const std::string &override, const std::vector<std::string> &others = {})
+  {
+    std::vector<std::string> overrides = others;
+    overrides.push_back(override);
+    const std::string message = message_on(valid_text, overrides);
+    const std::string place   = "--set \"" + override + "\": ";
+    return message.rfind(place, 0) == 0 ? message.substr(place.size()) : message;
+  }
+
+  /** The valid text with a line replaced. */
+  std::string
+  with_line(const std::string &line, const std::string &replacement)
+  {
+    std::string text     = valid_text;
+    const std::size_t at = text.find(line);
+    REQUIRE(at != std::string::npos);
+    return text.replace(at, line.size(), replacement);
+  }
+} // namespace
+
+TEST_CASE("The text that the messages are tested with is valid", "[io]")
+{
+  CHECK(message_on(valid_text) == "");
+}
+
+TEST_CASE("Messages on lines that cannot be read", "[io]")
+{
+  CHECK(message_on(with_line("  set Cell size = 0.0625", "  sett Cell size = 0.0625")) ==
+        "cube.prm, line 4: cannot understand 'sett Cell size = 0.0625'. A line is 'set NAME = "
+        "VALUE', 'subsection NAME', 'end', or a comment after '#'.");
+  CHECK(message_on(std::string(valid_text) + "end\n") ==
+        "cube.prm, line 34: this 'end' closes nothing: no subsection is open here.");
+  CHECK(message_on(std::string(valid_text) + "subsection Walls\n") ==
+        "cube.prm: the subsection 'Walls' of line 34 is not closed: an 'end' is missing.");
+  CHECK(message_with("Density") ==
+        "cannot understand this; write --set \"Section/Name=value\", such as --set "
+        "\"Bodies/cube/Density=1000\".");
+  CHECK_THROWS_WITH(
+    read_parameter_file("no such file.prm"),
+    "cannot read the parameter file 'no such file.prm': No such file or directory.");
+}
+
+TEST_CASE("Messages on unknown names", "[io]")
+{
+  CHECK(message_on(with_line("set Density", "set Densty")) ==
+        "cube.prm, line 12: there is no parameter 'Densty' in subsection Bodies/cube; did you mean "
+        "'Density'?");
+  CHECK(message_on(with_line("subsection Magnets", "subsection Magnet")) ==
+        "cube.prm, line 24: there is no subsection 'Magnet'; did you mean 'Magnets'?");
+  CHECK(message_on(with_line("subsection cube", "subsection cubes")) ==
+        "cube.prm, line 8: there is no subsection 'cubes' in subsection Bodies ('Bodies/List of "
+        "bodies' is 'cube'); did you mean 'cube'?");
+  CHECK(
+    message_on(with_line("List of bodies", "List of bodys")) ==
+    "cube.prm, line 7: there is no parameter 'List of bodys' in subsection Bodies; did you mean "
+    "'List of bodies'?");
+  CHECK(message_with("Bodies/cube/Denisty=1") ==
+        "there is no parameter 'Denisty' in subsection Bodies/cube; did you mean 'Density'?");
+  CHECK(message_with("Bodies/ball/Density=1") ==
+        "there is no subsection 'ball' in subsection Bodies ('Bodies/List of bodies' is 'cube').");
+  CHECK(message_with("Cell size=1") ==
+        "there is no parameter 'Cell size' outside of all subsections; did you mean 'Box/Cell "
+        "size'?");
+  CHECK(message_with("Colour=red") ==
+        "there is no parameter 'Colour' outside of all subsections; 'magmpm --print-parameters' "
+        "lists all.");
+}
+
+TEST_CASE("Messages on values out of range", "[io]")
+{
+  CHECK(message_on(with_line("set Density = 1000", "set Density = heavy")) ==
+        "cube.prm, line 12: Bodies/cube/Density = heavy: must be a number > 0 [kg/m^3]. (Mass per "
+        "undeformed volume.)");
+  CHECK(message_on(with_line("    set Density = 1000\n", "")) ==
+        "cube.prm: Bodies/cube/Density is not given; it must be a number > 0 [kg/m^3]. (Mass per "
+        "undeformed volume.)");
+  CHECK(message_with("End time=0") ==
+        "End time = 0: must be a number > 0 [s]. (Simulated time at which the run ends.)");
+  CHECK(
+    message_with("Output/Frame interval=-1") ==
+    "Output/Frame interval = -1: must be a number > 0 [s]. (Simulated time between two frames.)");
+  CHECK(message_with("Materials/clay/Poisson ratio=0.5") ==
+        "Materials/clay/Poisson ratio = 0.5: must be a number above -1 and below 0.5. (Transverse "
+        "contraction of a solid, together with Young's modulus.)");
+  CHECK(message_with("Gravity=0, -9.81") ==
+        "Gravity = 0, -9.81: must be 3 numbers, separated by commas [m/s^2]. (Acceleration of "
+        "gravity.)");
+  CHECK(message_with("Bodies/cube/Particles per edge=1.5") ==
+        "Bodies/cube/Particles per edge = 1.5: must be an integer from 1 to 8. (Particles along an "
+        "edge of a lattice cell: 2 means 8 per cell in 3D.)");
+  CHECK(
+    message_with("Walls/Lower z=sticky") ==
+    "Walls/Lower z = sticky: must be one of: stick, slip, separate. (What material does at this "
+    "face of the box.)");
+  CHECK(
+    message_with("Output/Field quantities=H, D") ==
+    "Output/Field quantities = H, D: must be any of: potential, H_int, H, M, B, number_density. "
+    "(What is written of the fields.)");
+  CHECK(message_with("Dimension=4") == "Dimension = 4: must be 2 or 3.");
+  CHECK(message_with("Bodies/List of bodies=cube, cube") ==
+        "Bodies/List of bodies = cube, cube: the name 'cube' is there twice; names must differ.");
+  CHECK(
+    message_with("Bodies/List of bodies=my cube") ==
+    "Bodies/List of bodies = my cube: the name 'my cube' must consist of letters, digits, _ and "
+    "-, since it becomes part of headings. Names are separated by commas.");
+}
+
+TEST_CASE("Messages on the box", "[io]")
+{
+  CHECK(message_with("Box/Upper corner=1, 1, 1.1") ==
+        "Box/Upper corner = 1, 1, 1.1: the edge along z is 17.6 cells, but must be a multiple of 4 "
+        "cells. Good values near: upper corner at z = 1 or 1.25 m, or Cell size = 0.06875 m (16 "
+        "cells).");
+  CHECK(message_with("Box/Upper corner=1, 0, 1") ==
+        "Box/Upper corner = 1, 0, 1: along y it must lie above Box/Lower corner (0 m).");
+  CHECK(message_with("Box/Cell size=1e-7") ==
+        "Box/Cell size = 1e-7: that makes 1e+07 cells along x; at most 1e6 are possible. Choose "
+        "larger cells.");
+}
+
+TEST_CASE("Messages on bodies", "[io]")
+{
+  CHECK(message_with("Bodies/cube/Upper corner=0.75, 0.75, 1.2") ==
+        "Bodies/cube/Upper corner = 0.75, 0.75, 1.2: the body reaches to z = 1.2 m, outside of the "
+        "box, which is from 0 to 1 m there. Move the body or enlarge the box.");
+  CHECK(message_with("Bodies/cube/Upper corner=0.75, 0.1, 0.75") ==
+        "Bodies/cube/Upper corner = 0.75, 0.1, 0.75: along y it must lie above Bodies/cube/Lower "
+        "corner (0.25 m).");
+  CHECK(message_with("Bodies/cube/Material=klay") ==
+        "Bodies/cube/Material = klay: there is no material of this name. Materials/List of "
+        "materials is 'clay'; did you mean 'clay'?");
+  CHECK(message_with("Bodies/cube/Shape=sphere") ==
+        "cube.prm: Bodies/cube/Centre is not given: Shape = sphere needs it.");
+  CHECK(message_with("Bodies/cube/Radius=1") ==
+        "Bodies/cube/Radius = 1: Shape = box does not use it; remove this line or change that.");
+  CHECK(message_with("Bodies/cube/Axis=0, 0, 0",
+                     {"Bodies/cube/Shape=cylinder",
+                      "Bodies/cube/Lower corner=",
+                      "Bodies/cube/Upper corner=",
+                      "Bodies/cube/Centre=0.5, 0.5, 0.6",
+                      "Bodies/cube/Radius=0.1",
+                      "Bodies/cube/Length=0.1"}) ==
+        "Bodies/cube/Axis = 0, 0, 0: it must have a length greater than 0.");
+  CHECK(message_with("Bodies/List of bodies=") ==
+        "Bodies/List of bodies is not given: a scene needs at least one body.");
+  CHECK(
+    message_with("Bodies/List of bodies=cube, b",
+                 {"Bodies/b/Material=clay",
+                  "Bodies/b/Density=1",
+                  "Bodies/b/Shape=sphere",
+                  "Bodies/b/Centre=0.5, 0.5, 0.8",
+                  "Bodies/b/Radius=0.1"}) ==
+    "Bodies/List of bodies = cube, b: the bodies 'cube' and 'b' overlap at the start; move them "
+    "apart.");
+}
+
+TEST_CASE("Messages on materials", "[io]")
+{
+  CHECK(message_with("Materials/clay/Shear modulus=1") ==
+        "cube.prm: Materials/clay/Mechanical law = neo-Hookean: the moduli are given in two ways. "
+        "Give either Young's modulus and Poisson ratio, or Shear modulus and Lame lambda.");
+  CHECK(message_with("Materials/clay/Young's modulus=", {"Materials/clay/Poisson ratio="}) ==
+        "cube.prm: Materials/clay/Mechanical law = neo-Hookean: the moduli are given in no way. "
+        "Give either Young's modulus and Poisson ratio, or Shear modulus and Lame lambda.");
+  CHECK(message_with("Materials/clay/Poisson ratio=") ==
+        "Materials/clay/Poisson ratio is not given: the other one of this pair needs it.");
+  CHECK(
+    message_with("Materials/clay/Lame lambda=-1",
+                 {"Materials/clay/Young's modulus=",
+                  "Materials/clay/Poisson ratio=",
+                  "Materials/clay/Shear modulus=1.5"}) ==
+    "Materials/clay/Lame lambda = -1: must be above -2/3 of the Shear modulus (-1 Pa): with less "
+    "the material has no resistance to compression.");
+  CHECK(message_with("Materials/clay/Viscosity=1") ==
+        "Materials/clay/Viscosity = 1: Mechanical law = neo-Hookean does not use it; remove this "
+        "line or change that.");
+  CHECK(message_with("Materials/clay/Mechanical law=viscoelastic fluid") ==
+        "cube.prm: Materials/clay/Bulk modulus is not given: Mechanical law = viscoelastic fluid "
+        "needs it.");
+  CHECK(message_with("Materials/clay/Grain moment=1e-19") ==
+        "cube.prm, line 20: Materials/clay/Saturation magnetization = 8e4: the magnetization is "
+        "given in two ways. Give either Saturation magnetization and Initial susceptibility, or "
+        "Grain moment and Grain number density.");
+  CHECK(message_with("Materials/clay/Saturation magnetization=") ==
+        "Materials/clay/Saturation magnetization is not given: Magnetization law = Langevin needs "
+        "it.");
+  CHECK(message_with("Materials/clay/Initial susceptibility=",
+                     {"Magnetics/Magnetization law=linear"}) ==
+        "Materials/clay/Initial susceptibility is not given: a magnetic material needs it.");
+}
+
+TEST_CASE("Messages on magnets", "[io]")
+{
+  CHECK(message_with("Magnets/magnet/Position=0.5; 0.5; 0.4") ==
+        "Magnets/magnet/Position = 0.5; 0.5; 0.4: this solid magnet (radius 0.125 m, at 0.5, 0.5, "
+        "0.4 m) overlaps the body 'cube' by 0.025 m at the start. Move one of them, or set "
+        "Magnets/magnet/Contact = none.");
+  CHECK(message_with("Magnets/magnet/Position=0.5; 0.5; 0.4", {"Magnets/magnet/Contact=none"}) ==
+        "");
+  CHECK(message_with("Magnets/magnet/Position=0.5; 0.5")
+          .rfind("Magnets/magnet/Position: '0.5; 0.5' has 2 components, not 3.", 0) == 0);
+  CHECK(message_with("Magnets/magnet/Magnetization=")
+          .rfind("Magnets/magnet/Magnetization is not given: Type = magnetized sphere needs it.",
+                 0) == 0);
+  CHECK(message_with("Magnets/magnet/Contact=slip",
+                     {"Magnets/magnet/Type=uniform field",
+                      "Magnets/magnet/Field=0; 0; 1",
+                      "Magnets/magnet/Position=",
+                      "Magnets/magnet/Magnetization=",
+                      "Magnets/magnet/Radius="}) ==
+        "Magnets/magnet/Contact = slip: a uniform field has no surface; set it to none.");
+}
+
+TEST_CASE("Messages on the time step", "[io]")
+{
+  CHECK(message_with("Time step/Kind=fixed") ==
+        "cube.prm: Time step/Fixed step is not given: Time step/Kind = fixed needs it.");
+  CHECK(message_with("Time step/Fixed step=1", {"Time step/Kind=fixed"}) ==
+        "Time step/Fixed step = 1: it must not be longer than Output/Frame interval (0.002 s).");
+}
+
+TEST_CASE("Messages on what two dimensions do not have", "[io]")
+{
+  const std::string text = R"(set Dimension = 2
+set End time = 1
+subsection Box
+  set Upper corner = 1, 1
+  set Cell size = 0.0625
+end
+subsection Bodies
+  set List of bodies = disc
+  subsection disc
+    set Material = gel
+    set Density = 1000
+    set Shape = sphere
+    set Centre = 0.5, 0.5
+    set Radius = 0.1
+  end
+end
+subsection Materials
+  set List of materials = gel
+  subsection gel
+    set Shear modulus = 1000
+    set Lame lambda = 0
+  end
+end
+)";
+  CHECK(message_on(text) == "");
+  CHECK(message_on(text, {"Bodies/disc/Shape=cylinder"}) ==
+        "--set \"Bodies/disc/Shape=cylinder\": Bodies/disc/Shape = cylinder: must be one of: box, "
+        "sphere. (Shape of the body; a sphere is a disc in 2D, a cylinder needs Dimension = 3.)");
+  CHECK(
+    message_on(text, {"Bodies/disc/Length=1"}) ==
+    "--set \"Bodies/disc/Length=1\": there is no parameter 'Length' in subsection Bodies/disc: a "
+    "cylinder needs Dimension = 3.");
+  CHECK(message_on(text, {"Walls/Lower z=slip"}) ==
+        "--set \"Walls/Lower z=slip\": there is no parameter 'Lower z' in subsection Walls: this "
+        "face needs Dimension = 3.");
+  CHECK(message_on(text, {"Bodies/disc/Angular velocity=1, 2, 3"}) ==
+        "--set \"Bodies/disc/Angular velocity=1, 2, 3\": Bodies/disc/Angular velocity = 1, 2, 3: "
+        "must be a number [rad/s]. (Spin at the start about the centre of mass.)");
+}
