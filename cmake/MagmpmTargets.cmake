@@ -86,7 +86,8 @@ list(REMOVE_ITEM kernel_sources ${processor_check_source})
 add_library(magmpm_processor_check OBJECT ${processor_check_source})
 target_link_libraries(magmpm_processor_check PRIVATE magmpm_options)
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$")
-  set_source_files_properties(${processor_check_source} PROPERTIES COMPILE_OPTIONS -march=x86-64)
+  set_source_files_properties(${processor_check_source} PROPERTIES
+                              COMPILE_OPTIONS "-march=x86-64;-fno-sanitize=all")
 endif()
 
 add_library(magmpm_kernels STATIC ${kernel_sources} ${version_source})

@@ -51,7 +51,7 @@ def show_particles(particles, view):
     display.SetRepresentationType("Points")
     display.PointSize = 2.0
     display.RenderPointsAsSpheres = 1
-    simple.ColorBy(display, None)
+    display.ColorArrayName = ["POINTS", ""]
     display.DiffuseColor = display.AmbientColor = [0.35, 0.35, 0.4]
 
 
@@ -85,32 +85,39 @@ def show_lines(lines, size, options, view):
     display.SetScalarBarVisibility(view, True)
 
 
+def look_at_particles(particles, size, view):
+    """A view without perspective, from the side in 3D, that holds three times their size."""
+    bounds = particles.GetDataInformation().GetBounds()
+    middle = [0.5 * (bounds[2 * d] + bounds[2 * d + 1]) for d in range(3)]
+    is_flat = bounds[5] == bounds[4]
+    direction, up = ([0, 0, 5], [0, 1, 0]) if is_flat else ([1.7, -4.5, 1.2], [0, 0, 1])
+    view.CameraParallelProjection = 1
+    view.CameraFocalPoint = middle
+    view.CameraPosition = [m + size * d for m, d in zip(middle, direction)]
+    view.CameraViewUp = up
+    view.CameraParallelScale = 1.5 * size
+
+
 def main():
     options = arguments()
     fields = open_series(options.folder, "fields.pvd")
     particles = open_series(options.folder, "particles.pvd")
     times = list(fields.TimestepValues) or [0.0]
     time = times[min(options.frame, len(times) - 1)]
+    for source in (fields, particles):
+        source.UpdatePipeline(time)
+    full_name(fields, options.quantity)
 
     view = simple.GetActiveViewOrCreate("RenderView")
     view.ViewSize = [800, 700]
     simple.GetAnimationScene().UpdateAnimationUsingDataTimeSteps()
     simple.GetTimeKeeper().Time = view.ViewTime = time
-    for source in (fields, particles):
-        source.UpdatePipeline(time)
 
     show_particles(particles, view)
     lines, size = trace_lines(fields, particles, options)
     show_lines(lines, size, options, view)
 
-    bounds = particles.GetDataInformation().GetBounds()
-    simple.ResetCamera([b + (size if i % 2 else -size) for i, b in enumerate(bounds)])
-    camera = view.GetActiveCamera()
-    if bounds[5] > bounds[4]:
-        camera.Elevation(-90)
-        camera.SetViewUp(0, 0, 1)
-        camera.Azimuth(20)
-        camera.Elevation(12)
+    look_at_particles(particles, size, view)
     simple.Render()
     if options.picture:
         simple.SaveScreenshot(options.picture, view, CompressionLevel=5,

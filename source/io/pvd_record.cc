@@ -5,7 +5,6 @@
 
 #include <cstdio>
 #include <fstream>
-#include <limits>
 
 namespace magmpm
 {
@@ -22,7 +21,6 @@ namespace magmpm
     const std::string unfinished = path + ".unfinished";
     {
       std::ofstream output(unfinished);
-      output.precision(std::numeric_limits<double>::digits10);
       dealii::DataOutBase::write_pvd_record(output, frames);
       output.close();
       if (!output)

@@ -62,31 +62,6 @@ namespace magmpm
           action(slot, node);
     }
 
-    /** Calls action(slot, node) for the 3^dim nodes around a node (itself included) in active blocks. */
-    template <int dim, typename Action>
-    void
-    for_neighbour_nodes(const BlockSet<dim> &blocks,
-                        const int            slot,
-                        const int            node,
-                        const Action        &action)
-    {
-      for (int n = 0; n < n_neighbours<dim>; ++n)
-        {
-          int block = 0, other = 0;
-          for (int d = 0, rest_node = node, rest = n; d < dim; ++d)
-            {
-              const int place = rest_node % block_edge + rest % 3 - 1; // -1 .. 4
-              block += power(3, d) * (place < 0 ? 0 : (place < block_edge ? 1 : 2));
-              other += power(block_edge, d) * ((place + block_edge) % block_edge);
-              rest_node /= block_edge;
-              rest /= 3;
-            }
-          const int other_slot = blocks.neighbours(slot)[block];
-          if (other_slot != invalid_slot)
-            action(other_slot, other);
-        }
-    }
-
     /**
      * Whether all blocks are active that hold cells under the B-spline of a node: it reaches 3/2 dx,
      * from nodes 0 and 1 of a block into the one below, from node 3 into the one above.
@@ -110,13 +85,6 @@ namespace magmpm
             return false;
         }
       return true;
-    }
-
-    template <int dim>
-    void
-    clear_force(double *node)
-    {
-      std::fill_n(node, dim, 0.);
     }
   } // namespace
 
@@ -169,71 +137,8 @@ namespace magmpm
     partition.add_ghosts_to_owners(force);
     for_owned_nodes(blocks, [&](const int slot, const int node) {
       if (!is_covered<dim>(blocks, slot, node))
-        clear_force<dim>(force.node(slot, node));
+        std::fill_n(force.node(slot, node), dim, 0.);
     });
-  }
-
-  template <int dim>
-  Vector<dim>
-  hand_force_inward(const BlockPartition<dim> &partition,
-                    const NodeField<dim>      &mass,
-                    NodeField<dim>            &force)
-  {
-    constexpr int        n_layers = 2;
-    const BlockSet<dim> &blocks   = partition.blocks();
-
-    // Lane 0: the layer of a node, 0 with mass, 1 and 2 around, 3 further out.
-    NodeField<dim> layers;
-    layers.reinit(blocks.size());
-    for_owned_nodes(blocks, [&](const int slot, const int node) {
-      layers.node(slot, node)[0] = mass.node(slot, node)[n_lanes - 1] > 0. ? 0. : n_layers + 1.;
-    });
-    partition.update_ghosts(layers);
-    const auto layer_is = [&layers](const int slot, const int node, const int layer) {
-      return layers.node(slot, node)[0] == layer;
-    };
-    for (int layer = 1; layer <= n_layers; ++layer)
-      {
-        for_owned_nodes(blocks, [&](const int slot, const int node) {
-          if (layer_is(slot, node, n_layers + 1))
-            for_neighbour_nodes(blocks, slot, node, [&](const int other_slot, const int other) {
-              if (layer_is(other_slot, other, layer - 1))
-                layers.node(slot, node)[0] = layer;
-            });
-        });
-        partition.update_ghosts(layers);
-      }
-
-    Vector<dim> dropped;
-    for_owned_nodes(blocks, [&](const int slot, const int node) {
-      if (layer_is(slot, node, n_layers + 1))
-        {
-          for (int d = 0; d < dim; ++d)
-            dropped[d] += force.node(slot, node)[d];
-          clear_force<dim>(force.node(slot, node));
-        }
-    });
-
-    for (int layer = n_layers; layer >= 1; --layer)
-      {
-        for_owned_nodes(blocks, [&](const int slot, const int node) {
-          if (!layer_is(slot, node, layer))
-            return;
-          int n_receivers = 0;
-          for_neighbour_nodes(blocks, slot, node, [&](const int other_slot, const int other) {
-            n_receivers += layer_is(other_slot, other, layer - 1);
-          });
-          const double *given = force.node(slot, node);
-          for_neighbour_nodes(blocks, slot, node, [&](const int other_slot, const int other) {
-            if (layer_is(other_slot, other, layer - 1))
-              for (int d = 0; d < dim; ++d)
-                force.node(other_slot, other)[d] += given[d] / n_receivers;
-          });
-          clear_force<dim>(force.node(slot, node));
-        });
-        partition.add_ghosts_to_owners(force);
-      }
-    return dropped;
   }
 
   template <int dim>
@@ -283,9 +188,6 @@ namespace magmpm
                                     const MaterialPoints<dim> &,                            \
                                     const BlockPartition<dim> &,                            \
                                     NodeField<dim> &);                                      \
-  template Vector<dim> hand_force_inward(const BlockPartition<dim> &,                       \
-                                         const NodeField<dim> &,                            \
-                                         NodeField<dim> &);                                 \
   template void compute_material_field(const PotentialSolution<dim> &,                      \
                                        const MaterialPoints<dim> &,                         \
                                        const BlockPartition<dim> &,                         \

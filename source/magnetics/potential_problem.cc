@@ -3,6 +3,7 @@
 #include <deal.II/lac/solver_cg.h>
 
 #include <magmpm/base/constants.h>
+#include <magmpm/magnetics/force_handover.h>
 #include <magmpm/magnetics/magnetic_force.h>
 #include <magmpm/magnetics/open_boundary.h>
 #include <magmpm/magnetics/potential_operator.h>

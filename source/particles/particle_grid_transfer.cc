@@ -5,6 +5,7 @@
 #include <magmpm/lattice/bspline.h>
 #include <magmpm/lattice/lanes.h>
 #include <magmpm/particles/particle_grid_transfer.h>
+#include <magmpm/particles/particle_state.h>
 
 #include <limits>
 
@@ -124,48 +125,6 @@ namespace magmpm
       return sum;
     }
 
-    template <int dim>
-    inline Matrix<dim>
-    load_matrix(double *const (&components)[dim * dim], const std::size_t p)
-    {
-      Matrix<dim> matrix;
-      for (int i = 0; i < dim; ++i)
-        for (int j = 0; j < dim; ++j)
-          matrix(i, j) = components[dim * i + j][p];
-      return matrix;
-    }
-
-    template <int dim>
-    inline void
-    store_matrix(const Matrix<dim> &matrix,
-                 double *const (&components)[dim * dim],
-                 const std::size_t p)
-    {
-      for (int i = 0; i < dim; ++i)
-        for (int j = 0; j < dim; ++j)
-          components[dim * i + j][p] = matrix(i, j);
-    }
-
-    template <int dim, typename Law>
-    inline typename Law::State
-    load_state(const ParticleArrays<dim> &particles, const std::size_t p)
-    {
-      if constexpr (Law::stores_deformation_gradient)
-        return load_matrix<dim>(particles.deformation, p);
-      else
-        return particles.deformation[0][p];
-    }
-
-    template <int dim, typename Law>
-    inline void
-    store_state(const typename Law::State &state, const ParticleArrays<dim> &particles, const std::size_t p)
-    {
-      if constexpr (Law::stores_deformation_gradient)
-        store_matrix<dim>(state, particles.deformation, p);
-      else
-        particles.deformation[0][p] = state;
-    }
-
     /** One run of particles: the kernels below work on it. */
     template <int dim>
     struct Run
@@ -231,14 +190,14 @@ namespace magmpm
           Vector<dim> v;
           for (int c = 0; c < dim; ++c)
             {
-              v[c]                     = velocity[c];
-              particles.velocity[c][p] = velocity[c];
+              v[c] = velocity[c];
               particles.position[c][p] += time_step * velocity[c];
               for (int d = 0; d < dim; ++d)
                 affine(c, d) = affine_factor * moment[d][c];
             }
           const typename Law::State state =
             law.advanced(load_state<dim, Law>(particles, p), affine, time_step);
+          store_vector<dim>(v, particles.velocity, p);
           store_matrix<dim>(affine, particles.affine_velocity, p);
           store_state<dim, Law>(state, particles, p);
 

@@ -31,24 +31,41 @@ namespace magmpm
       component.resize(n_particles);
   }
 
+  namespace
+  {
+    template <int dim, typename Number, typename Set>
+    ParticleArrays<dim, Number>
+    arrays_of(Set &particles)
+    {
+      ParticleArrays<dim, Number> arrays = {};
+      const auto assign = [&particles](const ParticleProperty property, Number **pointers) {
+        for (int c = 0; c < particles.n_components(property); ++c)
+          pointers[c] = particles.component(property, c);
+      };
+      assign(ParticleProperty::position, arrays.position);
+      assign(ParticleProperty::velocity, arrays.velocity);
+      assign(ParticleProperty::affine_velocity, arrays.affine_velocity);
+      assign(ParticleProperty::deformation, arrays.deformation);
+      assign(ParticleProperty::mass, &arrays.mass);
+      assign(ParticleProperty::volume, &arrays.volume);
+      assign(ParticleProperty::magnetic_acceleration, arrays.magnetic_acceleration);
+      assign(ParticleProperty::magnetic_field, arrays.magnetic_field);
+      return arrays;
+    }
+  } // namespace
+
   template <int dim>
   ParticleArrays<dim>
   ParticleSet<dim>::arrays()
   {
-    ParticleArrays<dim> arrays = {};
-    const auto          assign = [this](const ParticleProperty quantity, double **pointers) {
-      for (int c = 0; c < n_components(quantity); ++c)
-        pointers[c] = component(quantity, c);
-    };
-    assign(ParticleProperty::position, arrays.position);
-    assign(ParticleProperty::velocity, arrays.velocity);
-    assign(ParticleProperty::affine_velocity, arrays.affine_velocity);
-    assign(ParticleProperty::deformation, arrays.deformation);
-    assign(ParticleProperty::mass, &arrays.mass);
-    assign(ParticleProperty::volume, &arrays.volume);
-    assign(ParticleProperty::magnetic_acceleration, arrays.magnetic_acceleration);
-    assign(ParticleProperty::magnetic_field, arrays.magnetic_field);
-    return arrays;
+    return arrays_of<dim, double>(*this);
+  }
+
+  template <int dim>
+  ParticleArrays<dim, const double>
+  ParticleSet<dim>::arrays() const
+  {
+    return arrays_of<dim, const double>(*this);
   }
 
   template <int dim>

@@ -1,4 +1,5 @@
 #include <magmpm/base/constants.h>
+#include <magmpm/particles/particle_state.h>
 #include <magmpm/particles/particle_sums.h>
 
 #include <algorithm>
@@ -8,33 +9,6 @@ namespace magmpm
 {
   namespace
   {
-    template <int dim>
-    Matrix<dim>
-    affine_velocity(const ParticleSet<dim> &particles, const std::size_t p)
-    {
-      Matrix<dim> affine;
-      for (int i = 0; i < dim; ++i)
-        for (int j = 0; j < dim; ++j)
-          affine(i, j) = particles.component(ParticleProperty::affine_velocity, dim * i + j)[p];
-      return affine;
-    }
-
-    template <int dim, typename Law>
-    typename Law::State
-    state(const Law &, const ParticleSet<dim> &particles, const std::size_t p)
-    {
-      typename Law::State state = Law::undeformed();
-      if constexpr (Law::stores_deformation_gradient)
-        {
-          for (int i = 0; i < dim; ++i)
-            for (int j = 0; j < dim; ++j)
-              state(i, j) = particles.component(ParticleProperty::deformation, dim * i + j)[p];
-        }
-      else
-        state = particles.component(ParticleProperty::deformation, 0)[p];
-      return state;
-    }
-
     /** Twice the axial vector of the skew part: the curl of v = C x. */
     template <int dim>
     Vector<n_axial_components<dim>>
@@ -46,28 +20,74 @@ namespace magmpm
         return {{c(1, 0) - c(0, 1)}};
     }
 
+    /** M of grains that are spread over @p volume_ratio times their undeformed volume. */
+    template <int dim>
+    Vector<dim>
+    diluted_magnetization(const MagneticParameters &magnetic,
+                          const MagnetizationLaw    law,
+                          const double              volume_ratio,
+                          const Vector<dim>        &field)
+    {
+      return magnetization(law,
+                           MagneticContent{magnetic.saturation_magnetization / volume_ratio,
+                                           magnetic.initial_susceptibility / volume_ratio},
+                           field);
+    }
+
     template <int dim>
     void
-    add_magnetics(const Body<dim>       &body,
-                  const MagnetizationLaw law,
-                  const std::size_t      p,
-                  const double           volume_ratio,
-                  ParticleSums<dim>     &sums)
+    add_magnetics(const ParticleArrays<dim, const double> &particles,
+                  const MagneticParameters                &magnetic,
+                  const MagnetizationLaw                   law,
+                  const double                             volume_ratio,
+                  const std::size_t                        p,
+                  ParticleSums<dim>                       &sums)
     {
-      const ParticleSet<dim> &particles    = body.particles;
-      const double            mass         = particles.component(ParticleProperty::mass, 0)[p];
-      const double            volume       = volume_ratio * particles.component(ParticleProperty::volume, 0)[p];
-      const Vector<dim>       acceleration = particles.vector(ParticleProperty::magnetic_acceleration, p);
-      const Vector<dim>       magnetization = particle_magnetization(body, law, p);
-      const double            strength      = norm(magnetization);
+      const double      mass          = particles.mass[p];
+      const double      volume        = volume_ratio * particles.volume[p];
+      const Vector<dim> acceleration  = load_vector<dim>(particles.magnetic_acceleration, p);
+      const Vector<dim> field         = load_vector<dim>(particles.magnetic_field, p);
+      const Vector<dim> magnetization = diluted_magnetization(magnetic, law, volume_ratio, field);
+      const double      strength      = norm(magnetization);
       sums.magnetic_force += mass * acceleration;
       sums.magnetic_moment += volume * magnetization;
-      sums.max_field = std::max(sums.max_field, norm(particles.vector(ParticleProperty::magnetic_field, p)));
+      sums.max_field                 = std::max(sums.max_field, norm(field));
       sums.max_magnetization         = std::max(sums.max_magnetization, strength);
       sums.max_magnetic_acceleration = std::max(sums.max_magnetic_acceleration, norm(acceleration));
       sums.max_magnetic_wave_speed =
         std::max(sums.max_magnetic_wave_speed,
                  strength * std::sqrt(constants::vacuum_permeability * volume / mass));
+    }
+
+    /** Adds what one particle is and does. */
+    template <int dim, typename Law>
+    void
+    add_mechanics(const ParticleArrays<dim, const double> &particles,
+                  const Law                               &law,
+                  const typename Law::State               &state,
+                  const double                             volume_ratio,
+                  const double                             affine_factor,
+                  const Vector<dim>                       &gravity,
+                  const std::size_t                        p,
+                  ParticleSums<dim>                       &sums)
+    {
+      const double      mass     = particles.mass[p];
+      const Vector<dim> position = load_vector<dim>(particles.position, p);
+      const Vector<dim> velocity = load_vector<dim>(particles.velocity, p);
+      const double      square   = norm_square(velocity);
+      sums.n_particles += 1.;
+      sums.mass += mass;
+      sums.kinetic_energy += 0.5 * mass * square;
+      sums.elastic_energy += particles.volume[p] * law.energy_density(state);
+      sums.gravitational_energy -= mass * dot(gravity, position);
+      sums.momentum += mass * velocity;
+      sums.mass_times_position += mass * position;
+      sums.angular_momentum += mass * cross(position, velocity);
+      sums.angular_momentum +=
+        (mass * affine_factor) * curl(load_matrix<dim>(particles.affine_velocity, p));
+      sums.max_speed        = std::max(sums.max_speed, std::sqrt(square));
+      sums.min_volume_ratio = std::min(sums.min_volume_ratio, volume_ratio);
+      sums.max_volume_ratio = std::max(sums.max_volume_ratio, volume_ratio);
     }
   } // namespace
 
@@ -99,18 +119,24 @@ namespace magmpm
   double
   particle_volume_ratio(const Body<dim> &body, const std::size_t p)
   {
-    return std::visit([&](const auto &law) { return law.volume_ratio(state(law, body.particles, p)); },
-                      body.material);
+    return std::visit(
+      [&](const auto &law) {
+        using Law = std::decay_t<decltype(law)>;
+        return law.volume_ratio(load_state<dim, Law>(body.particles.arrays(), p));
+      },
+      body.material);
   }
 
   template <int dim>
   double
   particle_von_mises_stress(const Body<dim> &body, const std::size_t p)
   {
+    const auto particles = body.particles.arrays();
     return std::visit(
       [&](const auto &law) {
-        return law.von_mises_stress(state(law, body.particles, p),
-                                    affine_velocity(body.particles, p));
+        using Law = std::decay_t<decltype(law)>;
+        return law.von_mises_stress(load_state<dim, Law>(particles, p),
+                                    load_matrix<dim>(particles.affine_velocity, p));
       },
       body.material);
   }
@@ -121,11 +147,10 @@ namespace magmpm
   {
     if (!body.magnetic.is_magnetic())
       return {};
-    const double dilution = 1. / particle_volume_ratio(body, p);
-    return magnetization(law,
-                         MagneticContent{dilution * body.magnetic.saturation_magnetization,
-                                         dilution * body.magnetic.initial_susceptibility},
-                         body.particles.vector(ParticleProperty::magnetic_field, p));
+    return diluted_magnetization(body.magnetic,
+                                 law,
+                                 particle_volume_ratio(body, p),
+                                 body.particles.vector(ParticleProperty::magnetic_field, p));
   }
 
   template <int dim>
@@ -133,42 +158,24 @@ namespace magmpm
   particle_sums(const Body<dim>       &body,
                 const Lattice<dim>    &lattice,
                 const Vector<dim>     &gravity,
-                const MagnetizationLaw law)
+                const MagnetizationLaw magnetization_law)
   {
-    const ParticleSet<dim> &particles     = body.particles;
-    const double           *masses        = particles.component(ParticleProperty::mass, 0);
-    const double           *volumes       = particles.component(ParticleProperty::volume, 0);
-    const double            affine_factor = 0.25 * lattice.spacing * lattice.spacing;
-    ParticleSums<dim>       sums;
-    for (std::size_t p = 0; p < particles.size(); ++p)
-      {
-        const double      mass     = masses[p];
-        const Vector<dim> position = particles.position(p);
-        const Vector<dim> velocity = particles.vector(ParticleProperty::velocity, p);
-        const double      square   = norm_square(velocity);
-        sums.n_particles += 1.;
-        sums.mass += mass;
-        sums.kinetic_energy += 0.5 * mass * square;
-        sums.gravitational_energy -= mass * dot(gravity, position);
-        sums.momentum += mass * velocity;
-        sums.mass_times_position += mass * position;
-        sums.angular_momentum += mass * cross(position, velocity);
-        sums.angular_momentum += (mass * affine_factor) * curl(affine_velocity(particles, p));
-        sums.max_speed = std::max(sums.max_speed, std::sqrt(square));
-
-        const auto [energy, volume_ratio] = std::visit(
-          [&](const auto &material) {
-            const auto deformation = state(material, particles, p);
-            return std::make_pair(material.energy_density(deformation),
-                                  material.volume_ratio(deformation));
-          },
-          body.material);
-        sums.elastic_energy += volumes[p] * energy;
-        sums.min_volume_ratio = std::min(sums.min_volume_ratio, volume_ratio);
-        sums.max_volume_ratio = std::max(sums.max_volume_ratio, volume_ratio);
-        if (body.magnetic.is_magnetic())
-          add_magnetics(body, law, p, volume_ratio, sums);
-      }
+    const auto        particles     = body.particles.arrays();
+    const double      affine_factor = 0.25 * lattice.spacing * lattice.spacing;
+    ParticleSums<dim> sums;
+    std::visit(
+      [&](const auto &law) {
+        using Law = std::decay_t<decltype(law)>;
+        for (std::size_t p = 0; p < body.particles.size(); ++p)
+          {
+            const typename Law::State state        = load_state<dim, Law>(particles, p);
+            const double              volume_ratio = law.volume_ratio(state);
+            add_mechanics(particles, law, state, volume_ratio, affine_factor, gravity, p, sums);
+            if (body.magnetic.is_magnetic())
+              add_magnetics(particles, body.magnetic, magnetization_law, volume_ratio, p, sums);
+          }
+      },
+      body.material);
     return sums;
   }
 

@@ -24,21 +24,6 @@ namespace magmpm
                       NodeField<dim>               &force);
 
   /**
-   * Moves force that falls on nodes without mass to nodes with mass: the outer of two layers first, in
-   * equal parts to the neighbours (3^dim) in the next inner layer. Conserves the sum over the moved
-   * nodes exactly, on any number of ranks.
-   *
-   * @param mass   lane 3 is the mass, ghosts updated.
-   * @param force  as compute_split_force() leaves it; afterwards zero where no mass is. Collective.
-   * @return this rank's part of the force on nodes further out, which is dropped [N].
-   */
-  template <int dim>
-  Vector<dim>
-  hand_force_inward(const BlockPartition<dim> &partition,
-                    const NodeField<dim>      &mass,
-                    NodeField<dim>            &force);
-
-  /**
    * H in the material, averaged to nodes: int v N_i H / int v N_i, zero without material.
    *
    * @param field  lanes H_x H_y H_z [A/m], ghosts updated. Collective.

@@ -19,6 +19,6 @@ namespace magmpm
 
     /** Cells of the finest size are kept this many blocks beyond the active ones; they stay until the
      *  material is more than twice as far. */
-    int band_width = 1;
+    int band_width = 0;
   };
 } // namespace magmpm

@@ -41,18 +41,22 @@ namespace magmpm
      {"magnetic acceleration", "m/s^2"},
      {"magnetic field", "A/m"}}};
 
-  /** The arrays of a particle set as the kernels see them: one pointer per component. */
-  template <int dim>
+  /**
+   * The arrays of a particle set as the kernels see them: one pointer per component.
+   *
+   * @tparam Number  double, or const double.
+   */
+  template <int dim, typename Number = double>
   struct ParticleArrays
   {
-    double *position[dim];
-    double *velocity[dim];
-    double *affine_velocity[dim * dim];
-    double *deformation[dim * dim]; ///< only the first one if the deformation is J
-    double *mass;
-    double *volume;
-    double *magnetic_acceleration[dim]; ///< null without magnetic material
-    double *magnetic_field[dim];        ///< null without magnetic material
+    Number *position[dim];
+    Number *velocity[dim];
+    Number *affine_velocity[dim * dim];
+    Number *deformation[dim * dim]; ///< only the first one if the deformation is J
+    Number *mass;
+    Number *volume;
+    Number *magnetic_acceleration[dim]; ///< null without magnetic material
+    Number *magnetic_field[dim];        ///< null without magnetic material
   };
 
   /**
@@ -127,6 +131,9 @@ namespace magmpm
 
     ParticleArrays<dim>
     arrays();
+
+    ParticleArrays<dim, const double>
+    arrays() const;
 
     /** Numbers that describe one particle completely when it is sent to another rank. */
     int
