@@ -75,13 +75,15 @@ def trace_lines(fields, particles, options):
 
 def show_lines(lines, size, options, view):
     tubes = simple.Tube(registrationName="tubes", Input=lines)
-    tubes.Radius = 0.004 * size
+    tubes.Radius = 0.008 * size
     display = simple.Show(tubes, view)
     name = full_name(lines, options.quantity)
     simple.ColorBy(display, ("POINTS", name, "Magnitude"))
     colours = simple.GetColorTransferFunction(name)
     colours.ApplyPreset("Viridis (matplotlib)", True)
     display.RescaleTransferFunctionToDataRange(True, False)
+    colours.MapControlPointsToLogSpace() # the field falls with the cube of the distance
+    colours.UseLogScale = 1
     display.SetScalarBarVisibility(view, True)
 
 

@@ -226,7 +226,7 @@ namespace magmpm
     transfer_to_lattice(0.); // the masses of the nodes
     partition.update_ghosts(lattice_field);
 
-    solve_potential();
+    solve_potential(magnetic_content());
     NodeField<dim> force;
     force.reinit(partition.blocks().size());
     state.lost_magnetic_force = norm(magnetics->compute_force(lattice_field, force));
@@ -256,14 +256,21 @@ namespace magmpm
   }
 
   template <int dim>
-  void
-  Simulation<dim>::solve_potential()
+  NodeField<dim>
+  Simulation<dim>::magnetic_content()
   {
     NodeField<dim> content;
     content.reinit(partition.blocks().size());
     magnetic_content_to_lattice(bodies, partition.blocks(), parameters.lattice, content);
     partition.add_ghosts_to_owners(content);
     partition.update_ghosts(content);
+    return content;
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::solve_potential(const NodeField<dim> &content)
+  {
     state.last_solve   = magnetics->solve(content, external_field);
     mesh_of_last_solve = mesh.revision();
   }
@@ -382,12 +389,17 @@ namespace magmpm
     dealii::TimerOutput::Scope timed(*timer, "Output");
     if (state.frame > 0)
       results.report_frame(state);
-    // The mesh may have changed since the last solve: then the fields are computed anew for the
-    // output. The force that particles carry stays, so that output never changes a run.
-    if (magnetics != nullptr && parameters.output.write_fields &&
-        mesh_of_last_solve != mesh.revision())
-      solve_potential();
-    results.write_frame(state, bodies, magnetics.get(), external_field);
+    results.write_particles(state, bodies);
+    if (results.writes_fields())
+      {
+        // The mesh may have changed since the last solve: then the potential is found anew. The
+        // force that particles carry stays, so that output never changes a run.
+        const NodeField<dim> content = magnetic_content();
+        if (mesh_of_last_solve != mesh.revision())
+          solve_potential(content);
+        results.write_fields(state, *magnetics, partition, content, external_field);
+      }
+    results.flush();
   }
 
   template <int dim>

@@ -64,9 +64,13 @@ namespace magmpm
     void
     solve_magnetics();
 
-    /** Finds the potential of the material where it is now, Eqs. (25)-(30). */
+    /** The densities of grains on the nodes, summed over the ranks, ghosts up to date. */
+    NodeField<dim>
+    magnetic_content();
+
+    /** Finds the potential of @p content, Eqs. (25)-(30). */
     void
-    solve_potential();
+    solve_potential(const NodeField<dim> &content);
 
     /** Accelerations of the nodes [m/s^2] from forces [N] and masses, in place. */
     void

@@ -122,7 +122,8 @@ namespace magmpm
     if (parameters.mesh.carries_potential && parameters.output.write_fields)
       field_output = std::make_unique<FieldOutput<dim>>(communicator,
                                                         parameters.output.directory,
-                                                        parameters.output.field_quantities);
+                                                        parameters.output.field_quantities,
+                                                        parameters.magnetics.law);
   }
 
   template <int dim>
@@ -151,25 +152,29 @@ namespace magmpm
 
   template <int dim>
   void
-  Results<dim>::write_frame(const RunState               &state,
-                            const std::vector<Body<dim>> &bodies,
-                            const PotentialProblem<dim>  *magnetics,
-                            const ExternalField<dim>     &external_field)
+  Results<dim>::write_particles(const RunState &state, const std::vector<Body<dim>> &bodies)
   {
-    if (parameters.output.write_particles)
-      {
-        std::vector<Vector<dim>>     positions;
-        std::vector<ParticleQuantity> quantities;
-        for (const Body<dim> &body : bodies)
-          for (std::size_t p = 0; p < body.particles.size(); ++p)
-            positions.push_back(body.particles.position(p));
-        for (const std::string &name : parameters.output.particle_quantities)
-          quantities.push_back(written_quantity(name, bodies, parameters.magnetics.law));
-        particle_output.write_frame(state.frame, state.time, positions, quantities);
-      }
-    if (field_output != nullptr && magnetics != nullptr)
-      field_output->write_frame(state.frame, state.time, *magnetics, external_field);
-    flush();
+    if (!parameters.output.write_particles)
+      return;
+    std::vector<Vector<dim>>      positions;
+    std::vector<ParticleQuantity> quantities;
+    for (const Body<dim> &body : bodies)
+      for (std::size_t p = 0; p < body.particles.size(); ++p)
+        positions.push_back(body.particles.position(p));
+    for (const std::string &name : parameters.output.particle_quantities)
+      quantities.push_back(written_quantity(name, bodies, parameters.magnetics.law));
+    particle_output.write_frame(state.frame, state.time, positions, quantities);
+  }
+
+  template <int dim>
+  void
+  Results<dim>::write_fields(const RunState              &state,
+                             const PotentialProblem<dim> &potential,
+                             const BlockPartition<dim>   &partition,
+                             const NodeField<dim>        &content,
+                             const ExternalField<dim>    &sources)
+  {
+    field_output->write_frame(state.frame, state.time, potential, partition, content, sources);
   }
 
   template <int dim>

@@ -178,7 +178,7 @@ namespace magmpm
       line << "  Newton " << std::setw(2) << frame.newton << ", CG " << std::setw(3) << frame.cg;
     else if (has_potential)
       line << "  field unchanged  ";
-    line << "  |v| < " << std::setw(9) << with_prefix(frame.max_speed, "m/s") << "  ";
+    line << "  |v| < " << std::setw(6) << three_digits(frame.max_speed) << " m/s  ";
     line << std::setw(5) << three_digits(seconds_per_frame()) << " s/frame";
     if (n_left > 0.)
       line << ", about " << duration(n_left * seconds_per_frame()) << " left";

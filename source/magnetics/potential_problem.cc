@@ -5,6 +5,7 @@
 #include <magmpm/base/constants.h>
 #include <magmpm/magnetics/force_handover.h>
 #include <magmpm/magnetics/magnetic_force.h>
+#include <magmpm/magnetics/mirror_images.h>
 #include <magmpm/magnetics/open_boundary.h>
 #include <magmpm/magnetics/potential_operator.h>
 #include <magmpm/magnetics/potential_preconditioner.h>
@@ -128,8 +129,10 @@ namespace magmpm
   {
     const dealii::TimerOutput::Scope section(timer, "Solve potential: material");
     const PotentialSpace<dim>       &space = *solution.space;
+    NodeField<dim>                   mirrored(content);
+    add_mirror_images(partition, mesh.lattice(), parameters.shielded, mirrored);
     material.reinit(
-      space.lattice_cells, partition.blocks(), content, sources, mesh.lattice(), parameters.law);
+      space.lattice_cells, partition.blocks(), mirrored, sources, mesh.lattice(), parameters.law);
 
     // Weights by |M| in the sources' field alone: the centre then depends on the present state only.
     const auto                  local = material.magnetized_weight();

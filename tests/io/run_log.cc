@@ -114,7 +114,7 @@ TEST_CASE("a frame is a line of fixed width", "[io]")
   std::string first, line;
   std::getline(lines, first);
   const std::string beginning = "frame  12/200   6 %  t = 0.0240 s  dt = 1.9e-4 s (elastic)    "
-                                "Newton  3, CG   9  |v| <   2.1 m/s  ";
+                                "Newton  3, CG   9  |v| <    2.1 m/s  ";
   CHECK(first.substr(0, beginning.size()) == beginning);
   CHECK(first.find("s/frame, about") != std::string::npos);
   while (std::getline(lines, line))

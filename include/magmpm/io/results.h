@@ -27,6 +27,10 @@ namespace magmpm
   template <int dim>
   class PotentialProblem;
   template <int dim>
+  class BlockPartition;
+  template <int dim>
+  class NodeField;
+  template <int dim>
   class ExternalField;
 
   /** Where a run is, and what its last step and solve did. */
@@ -82,12 +86,24 @@ namespace magmpm
     void
     write_header(const std::vector<Body<dim>> &bodies, const unsigned long long n_potential_unknowns);
 
-    /** @param magnetics  null without magnetic material. */
+    /** particles.pvd, if the scene wants it. */
     void
-    write_frame(const RunState               &state,
-                const std::vector<Body<dim>> &bodies,
-                const PotentialProblem<dim>  *magnetics,
-                const ExternalField<dim>     &external_field);
+    write_particles(const RunState &state, const std::vector<Body<dim>> &bodies);
+
+    /** Whether the scene has a potential and wants its fields written. */
+    bool
+    writes_fields() const
+    {
+      return field_output != nullptr;
+    }
+
+    /** fields.pvd; only if writes_fields(). For the arguments see FieldOutput::write_frame(). */
+    void
+    write_fields(const RunState              &state,
+                 const PotentialProblem<dim> &potential,
+                 const BlockPartition<dim>   &partition,
+                 const NodeField<dim>        &content,
+                 const ExternalField<dim>    &sources);
 
     /** The line of a frame on the terminal. */
     void

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <magmpm/mesh/block_partition.h>
+
+#include <array>
+
+namespace magmpm
+{
+  /**
+   * Adds the images of material behind shielded walls to a node field that P2G made of the material in
+   * front: c_i <- c_i + c_(-i), i counted from the wall. Without them a body that touches such a wall
+   * would fade out before it, with magnetic poles there. Particles reach one node behind a wall, so
+   * nodes -1, 0, 1 change. All four lanes; ghosts up to date before and after. Collective.
+   *
+   * @param shielded  walls -x, +x, -y, ... of the mechanical box, at which the potential box ends.
+   */
+  template <int dim>
+  void
+  add_mirror_images(const BlockPartition<dim>       &partition,
+                    const Lattice<dim>              &lattice,
+                    const std::array<bool, 2 * dim> &shielded,
+                    NodeField<dim>                  &content);
+} // namespace magmpm

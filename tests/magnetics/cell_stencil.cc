@@ -1,0 +1,157 @@
+#include "catch.h"
+
+#include <magmpm/lattice/bspline.h>
+#include <magmpm/magnetics/cell_stencil.h>
+
+#include <vector>
+
+using namespace magmpm;
+
+namespace
+{
+  /** A function at the nodes -1 .. 3 around a cell, in all lanes. */
+  template <int dim, typename Function>
+  StencilValues<dim>
+  nodal_values(const Function &function)
+  {
+    StencilValues<dim> values;
+    for (int i = 0; i < n_stencil_nodes<dim>; ++i)
+      {
+        Vector<dim> x;
+        for (int d = 0, rest = i; d < dim; ++d, rest /= stencil_edge)
+          x[d] = rest % stencil_edge - 1;
+        for (int lane = 0; lane < n_lanes; ++lane)
+          values[i * n_lanes + lane] = (lane + 1) * function(x);
+      }
+    return values;
+  }
+
+  template <int dim>
+  Vector<dim>
+  point_position(int q)
+  {
+    Vector<dim> x;
+    for (int d = 0; d < dim; ++d, q /= n_points_1d)
+      x[d] = CellStencil<dim>::points_1d[q % n_points_1d];
+    return x;
+  }
+} // namespace
+
+// Interpolation from nodes to quadrature points reproduces a linear function. Quadratic B-splines
+// reproduce linear functions exactly, whatever the coefficients.
+TEMPLATE_TEST_CASE_SIG("A cell stencil reproduces linear functions",
+                       "[magnetics]",
+                       ((int dim), dim),
+                       2,
+                       3)
+{
+  const auto linear = [](const Vector<dim> &x) {
+    return 0.7 + 1.3 * x[0] - 2.1 * x[1] + 0.4 * x[dim - 1];
+  };
+  const CellStencil<dim> stencil;
+  PointValues<dim>       values;
+  stencil.interpolate(nodal_values<dim>(linear), values);
+  for (int q = 0; q < n_points<dim>; ++q)
+    for (int lane = 0; lane < n_lanes; ++lane)
+      CHECK(values[q * n_lanes + lane] ==
+            Approx((lane + 1) * linear(point_position<dim>(q))).epsilon(1e-13));
+}
+
+// What is tested by N_i is the transpose of interpolation, and what is tested by dN_i/dx is its
+// derivative: for nodal values u_i of a linear function, sum_i u_i (tested by dN_i/dx)_i is slope times
+// the tested value, and for constant u it is zero.
+TEMPLATE_TEST_CASE_SIG("A cell stencil tests with values and derivatives",
+                       "[magnetics]",
+                       ((int dim), dim),
+                       2,
+                       3)
+{
+  const CellStencil<dim> stencil;
+  PointValues<dim>       tested;
+  double                 sum = 0.;
+  for (int i = 0; i < n_points<dim> * n_lanes; ++i)
+    {
+      tested[i] = std::sin(1. + i);
+      sum += (i % n_lanes == 0 ? tested[i] : 0.);
+    }
+  const auto product = [](const StencilValues<dim> &a, const StencilValues<dim> &b) {
+    double result = 0.;
+    for (int i = 0; i < n_stencil_nodes<dim>; ++i)
+      result += a[i * n_lanes] * b[i * n_lanes];
+    return result;
+  };
+
+  const StencilValues<dim> u = nodal_values<dim>([](const Vector<dim> &x) {
+    return std::cos(3. * x[0]) + x[dim - 1] * x[0];
+  });
+  PointValues<dim>         u_at_points;
+  stencil.interpolate(u, u_at_points);
+  double expected = 0.;
+  for (int q = 0; q < n_points<dim>; ++q)
+    expected += u_at_points[q * n_lanes] * tested[q * n_lanes];
+  StencilValues<dim> by_value = {};
+  stencil.add_tested(tested, by_value);
+  CHECK(product(u, by_value) == Approx(expected).epsilon(1e-13));
+
+  for (int axis = 0; axis < dim; ++axis)
+    {
+      StencilValues<dim> by_derivative = {};
+      stencil.add_tested_by_derivative(tested, axis, by_derivative);
+      for (int direction = 0; direction < dim; ++direction)
+        {
+          const auto coordinate =
+            nodal_values<dim>([direction](const Vector<dim> &x) { return x[direction]; });
+          CHECK(product(coordinate, by_derivative) ==
+                Approx(direction == axis ? sum : 0.).margin(1e-12));
+        }
+      const auto one = nodal_values<dim>([](const Vector<dim> &) { return 1.; });
+      CHECK(product(one, by_derivative) == Approx(0.).margin(1e-12));
+    }
+}
+
+// A stencil reads the nodes of the blocks around its cell at their right places, and adds to the same
+// ones. The field holds the position of each node, so that every value says where it comes from.
+TEMPLATE_TEST_CASE_SIG("A cell stencil gathers from the blocks around",
+                       "[magnetics]",
+                       ((int dim), dim),
+                       2,
+                       3)
+{
+  // The block at the origin, and all around but the last.
+  std::vector<Index<dim>> blocks;
+  Index<dim>              origin = {};
+  for (int n = 0; n < n_neighbours<dim> - 1; ++n)
+    blocks.push_back(neighbour_block<dim>(origin, n));
+  const BlockSet<dim> set(blocks, static_cast<int>(blocks.size()));
+  NodeField<dim>      field, ones;
+  field.reinit(set.size());
+  ones.reinit(set.size());
+  for (int slot = 0; slot < set.size(); ++slot)
+    for (int node = 0; node < nodes_per_block<dim>; ++node)
+      for (int d = 0; d < dim; ++d)
+        field.node(slot, node)[d] = node_of_block<dim>(set.block(slot), node)[d];
+
+  const CellStencil<dim> stencil;
+  Index<dim>             corner;
+  corner.fill(2);
+  corner[0] = 0;
+  StencilValues<dim> values;
+  stencil.gather(field, set, set.slot(origin), corner, values);
+  for (int i = 0; i < n_stencil_nodes<dim>; ++i)
+    for (int d = 0, rest = i; d < dim; ++d, rest /= stencil_edge)
+      CHECK(values[i * n_lanes + d] == corner[d] - 1 + rest % stencil_edge);
+
+  // From corner (2, 2, ..) the stencil reaches into the missing block: zero there.
+  corner.fill(2);
+  stencil.gather(field, set, set.slot(origin), corner, values);
+  CHECK(values[(n_stencil_nodes<dim> - 1) * n_lanes] == 0.);
+
+  StencilValues<dim> one;
+  one.fill(1.);
+  stencil.scatter_add(one, set, set.slot(origin), corner, ones);
+  double sum = 0.;
+  for (int slot = 0; slot < set.size(); ++slot)
+    for (int node = 0; node < nodes_per_block<dim>; ++node)
+      sum += ones.node(slot, node)[0];
+  CHECK(sum == n_stencil_nodes<dim> - power(2, dim)); // nodes 4 and 5 of every axis are missing
+}

@@ -1,0 +1,70 @@
+#include "catch.h"
+#include "scene.h"
+
+#include <magmpm/magnetics/force_handover.h>
+
+using namespace magmpm;
+using namespace magmpm::test;
+
+// Force on the two layers of nodes around the mass goes to nodes with mass, its sum (what is dropped
+// further out included) stays, on any number of ranks: every node gives all it has in equal parts.
+TEMPLATE_TEST_CASE_SIG("Force without mass is handed inward",
+                       "[magnetics][mpi]",
+                       ((int dim), dim),
+                       2,
+                       3)
+{
+  const double dx = 0.25;
+  Scene<dim>   scene(16, dx, 2., {});
+  Vector<dim>  centre;
+  for (int d = 0; d < dim; ++d)
+    centre[d] = 2.1 + 0.05 * d;
+  scene.set_bodies({sphere<dim>(centre, 1.2, {1., 1.})});
+
+  NodeField<dim> force;
+  force.reinit(scene.partition.blocks().size());
+  scene.for_owned_nodes([&](const int slot, const int node, const Vector<dim> &x) {
+    for (int d = 0; d < dim; ++d)
+      force.node(slot, node)[d] = 1. + std::sin(3. * x[0] + d) * std::cos(5. * x[1]);
+  });
+  Vector<dim> before, after;
+  for (int d = 0; d < dim; ++d)
+    before[d] = scene.sum(force, d);
+
+  const Vector<dim> dropped = hand_force_inward<dim>(scene.partition, scene.mass, force);
+
+  for (int d = 0; d < dim; ++d)
+    {
+      const double all_dropped = dealii::Utilities::MPI::sum(dropped[d], MPI_COMM_WORLD);
+      CHECK(all_dropped > 0.);
+      CHECK(scene.sum(force, d) + all_dropped == Approx(before[d]).epsilon(1e-13));
+    }
+  double on_empty_nodes = 0., smallest_on_mass = 1e300;
+  scene.for_owned_nodes([&](const int slot, const int node, const Vector<dim> &) {
+    const double f = std::abs(force.node(slot, node)[0]);
+    if (scene.mass.node(slot, node)[n_lanes - 1] > 0.)
+      smallest_on_mass = std::min(smallest_on_mass, f);
+    else
+      on_empty_nodes = std::max(on_empty_nodes, f);
+  });
+  CHECK(on_empty_nodes == 0.);
+  CHECK(smallest_on_mass > 0.);
+
+  // A single force two nodes from the mass arrives within two nodes: reach, not only sum.
+  force.set_zero();
+  scene.for_owned_nodes([&](const int slot, const int node, const Vector<dim> &x) {
+    Vector<dim> start = centre;
+    start[0] -= 1.2 + 3. * dx;
+    if (norm(scene.lattice.reduced(x - start)) < 0.9)
+      force.node(slot, node)[0] = 1.;
+  });
+  const double given = scene.sum(force, 0);
+  const double lost  = dealii::Utilities::MPI::sum(
+    hand_force_inward<dim>(scene.partition, scene.mass, force)[0], MPI_COMM_WORLD);
+  CHECK(given > 0.);
+  CHECK(scene.sum(force, 0) + lost == Approx(given).epsilon(1e-13));
+  scene.for_owned_nodes([&](const int slot, const int node, const Vector<dim> &x) {
+    if (force.node(slot, node)[0] != 0.)
+      CHECK(x[0] < centre[0]);
+  });
+}

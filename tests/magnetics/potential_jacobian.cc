@@ -1,0 +1,178 @@
+#include "catch.h"
+#include "scene.h"
+
+#include <magmpm/magnetics/ml_preconditioner.h>
+#include <magmpm/magnetics/potential_residual.h>
+
+using namespace magmpm;
+using namespace magmpm::test;
+
+namespace
+{
+  /** A strongly magnetized sphere on an adaptive mesh with hanging nodes, and a potential to test at. */
+  template <int dim>
+  class JacobianTest
+  {
+  public:
+    explicit JacobianTest(const MagnetizationLaw law)
+      : scene(16, spacing, 2., {})
+      , sources({uniform_source<dim>(uniform_field())})
+    {
+      Vector<dim> centre;
+      for (int d = 0; d < dim; ++d)
+        centre[d] = spacing * (8.3 + 0.2 * d);
+      scene.set_bodies({sphere<dim>(centre, 3. * spacing, {9e4, 3.})});
+      space = std::make_unique<PotentialSpace<dim>>(scene.mesh, false);
+      material.reinit(space->lattice_cells,
+                      scene.partition.blocks(),
+                      scene.content,
+                      sources,
+                      scene.lattice,
+                      law);
+      boundary = std::make_unique<OpenBoundary<dim>>(*space, std::array<bool, 2 * dim>{}, centre);
+
+      jacobian.initialize(space->matrix_free);
+      dealii::FullMatrix<double> matrix;
+      jacobian.set_boundary_matrices([&](const unsigned int batch, const unsigned int lane) {
+        const auto cell = space->matrix_free->get_cell_iterator(batch, lane);
+        return boundary->element_matrix(cell, matrix) ? &matrix : nullptr;
+      });
+    }
+
+    /** A vector of numbers of order one that does not depend on the number of ranks. */
+    PotentialVector
+    arbitrary(const double phase) const
+    {
+      PotentialVector vector = space->make_vector();
+      for (const auto i : vector.locally_owned_elements())
+        vector(i) = std::sin(phase + 1.7 * static_cast<double>(i));
+      space->constraints.set_zero(vector);
+      return vector;
+    }
+
+    /** F(phi); the Jacobian is then that at phi. */
+    PotentialVector
+    linearize(const PotentialVector &potential)
+    {
+      PotentialVector result = space->make_vector();
+      residual.evaluate(*space, material, jacobian, potential, result);
+      jacobian.set_permeability([&](const unsigned int batch, const unsigned int lane) {
+        return residual.permeability(material, space->lattice_cell(batch, lane));
+      });
+      return result;
+    }
+
+    static Vector<dim>
+    uniform_field()
+    {
+      Vector<dim> field;
+      field[0]       = 2e4;
+      field[dim - 1] = 5e4;
+      return field;
+    }
+
+    static constexpr double              spacing = 0.01;
+    Scene<dim>                           scene;
+    ExternalField<dim>                   sources;
+    std::unique_ptr<PotentialSpace<dim>> space;
+    MaterialPoints<dim>                  material;
+    std::unique_ptr<OpenBoundary<dim>>   boundary;
+    PotentialOperator<dim, double>       jacobian;
+    PotentialResidual<dim>               residual;
+  };
+
+  /** Of the test potentials [A]: fields of order H_ext. */
+  constexpr double amplitude = 100.;
+} // namespace
+
+// The matrix-free Jacobian times a vector is the assembled matrix times it. The two share nothing but
+// the tensors at the quadrature points and the element matrices of the boundary.
+TEMPLATE_TEST_CASE_SIG("The matrix-free Jacobian is the assembled matrix",
+                       "[magnetics][mpi]",
+                       ((int dim), dim),
+                       2,
+                       3)
+{
+  JacobianTest<dim> test(MagnetizationLaw::langevin);
+  PotentialVector   potential = test.arbitrary(0.);
+  potential *= amplitude;
+  test.linearize(potential);
+
+  MLPreconditioner<dim> assembled(*test.space);
+  assembled.rebuild({[&](const unsigned int cell) {
+                       return test.residual.permeability(test.material, cell);
+                     },
+                     *test.boundary});
+
+  const PotentialVector x = test.arbitrary(0.3), y = test.arbitrary(2.);
+  PotentialVector       matrix_free(x), with_matrix(x);
+  test.jacobian.vmult(matrix_free, x);
+  assembled.matrix().vmult(with_matrix, x);
+  test.space->constraints.set_zero(with_matrix);
+  const double norm = matrix_free.l2_norm();
+  CHECK(y * matrix_free == Approx(y * with_matrix).epsilon(1e-12));
+  with_matrix -= matrix_free;
+  CHECK(with_matrix.l2_norm() < 1e-13 * norm);
+
+  // Symmetric and positive definite, as CG needs it.
+  PotentialVector transposed(x);
+  test.jacobian.vmult(transposed, y);
+  CHECK(x * transposed == Approx(y * matrix_free).epsilon(1e-12));
+  CHECK(x * matrix_free > 0.);
+}
+
+// The Jacobian is the derivative of the residual, the residual that of the energy: central differences
+// agree to second order in their step.
+TEMPLATE_TEST_CASE_SIG("Jacobian, residual and energy belong together",
+                       "[magnetics][mpi]",
+                       ((int dim), dim),
+                       2,
+                       3)
+{
+  JacobianTest<dim> test(MagnetizationLaw::langevin);
+  PotentialVector   potential = test.arbitrary(0.);
+  potential *= amplitude;
+  const PotentialVector direction = test.arbitrary(0.9);
+  const double          step      = 1e-4 * amplitude;
+
+  PotentialVector shifted(potential);
+  shifted.add(step, direction);
+  PotentialVector difference   = test.linearize(shifted);
+  const double    energy_above = test.residual.energy();
+  shifted.add(-2. * step, direction);
+  difference -= test.linearize(shifted);
+  const double energy_below = test.residual.energy();
+  difference /= 2. * step;
+
+  const PotentialVector residual = test.linearize(potential);
+  PotentialVector       product(potential);
+  test.jacobian.vmult(product, direction);
+  const double norm = product.l2_norm();
+  product -= difference;
+  CHECK(product.l2_norm() < 1e-6 * norm);
+  CHECK((energy_above - energy_below) / (2. * step) == Approx(residual * direction).epsilon(1e-6));
+}
+
+// The diagonal that smoothers use is that of the assembled matrix, at the boundary and beside hanging
+// nodes too.
+TEMPLATE_TEST_CASE_SIG("The matrix-free diagonal is that of the matrix",
+                       "[magnetics][mpi]",
+                       ((int dim), dim),
+                       2,
+                       3)
+{
+  JacobianTest<dim> test(MagnetizationLaw::langevin);
+  test.linearize(test.arbitrary(0.));
+  test.jacobian.compute_diagonal();
+  MLPreconditioner<dim> assembled(*test.space);
+  assembled.rebuild({[&](const unsigned int cell) {
+                       return test.residual.permeability(test.material, cell);
+                     },
+                     *test.boundary});
+  const auto &inverse = test.jacobian.get_matrix_diagonal_inverse()->get_vector();
+  double      error   = 0.;
+  for (const auto i : inverse.locally_owned_elements())
+    if (!test.space->constraints.is_constrained(i))
+      error = std::max(error, std::abs(inverse(i) * assembled.matrix().diag_element(i) - 1.));
+  CHECK(dealii::Utilities::MPI::max(error, MPI_COMM_WORLD) < 1e-12);
+}
