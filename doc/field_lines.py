@@ -2,7 +2,7 @@
 
 In ParaView:    Tools > Python Shell > Run Script, after `import os; os.chdir("output-...")`,
                 or  paraview --script=doc/field_lines.py  started inside the output folder
-As a picture:   pvbatch doc/field_lines.py output-cube_nonlinear [--frame N] [--picture FILE.png]
+As a picture:   [xvfb-run -a] pvbatch doc/field_lines.py output-cube_nonlinear [--frame N] [--picture FILE.png]
 
 It opens fields.pvd and particles.pvd of a run, seeds lines around the particles of the chosen
 frame (the last one by default), and leaves a pipeline in which everything can be changed: the

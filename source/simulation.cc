@@ -100,6 +100,11 @@ namespace magmpm
     const TimeStep step     = time_step_control.next_step(step_conditions, next_frame - state.time);
     state.time_step         = step.length;
     state.limit             = step.limit;
+    if (step.limit != frame_end_limit || state.step == 0)
+      {
+        state.full_time_step = step.length;
+        state.full_limit     = step.limit;
+      }
     state.solved_this_step  = false;
 
     if (drift_since_sort > tolerated_drift * parameters.lattice.spacing)

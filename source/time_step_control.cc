@@ -37,11 +37,11 @@ namespace magmpm
     if (step.length >= (1. - 1e-9) * time_to_frame)
       {
         if (step.length > (1. + 1e-9) * time_to_frame)
-          step.limit = "frame end";
+          step.limit = frame_end_limit;
         step.length = time_to_frame;
       }
     else if (parameters.adaptive && 2. * step.length > time_to_frame)
-      step = {0.5 * time_to_frame, "frame end"};
+      step = {0.5 * time_to_frame, frame_end_limit};
     return step;
   }
 } // namespace magmpm

@@ -6,6 +6,9 @@
 
 namespace magmpm
 {
+  /** The limit of a step that was cut short to meet a frame. */
+  inline constexpr const char *frame_end_limit = "frame end";
+
   /** A time step and the limit that bound it. */
   struct TimeStep
   {

@@ -292,8 +292,9 @@ namespace magmpm
       declarations.add("Band width",
                        mesh.band_width,
                        "-",
-                       "Blocks (of 4 cells) around the material where the mesh stays fine.",
-                       {1., 1000.});
+                       "Blocks (of 4 cells) around those next to particles where the mesh is fine "
+                       "too: a wider band costs unknowns and saves changes of the mesh.",
+                       {0., 1000.});
       for (std::size_t face = 0; face < face_names.size(); ++face)
         if (face < mesh.shielded.size())
           declarations.add(face_names[face],

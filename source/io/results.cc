@@ -184,8 +184,8 @@ namespace magmpm
     RunLog::Frame frame;
     frame.number    = state.frame;
     frame.time      = state.time;
-    frame.dt        = state.time_step;
-    frame.limit     = state.limit;
+    frame.dt        = state.full_time_step;
+    frame.limit     = state.full_limit;
     frame.n_solves  = state.n_solves - solves_before;
     frame.newton    = state.last_solve.newton.steps;
     frame.cg        = state.last_solve.newton.linear_iterations;

@@ -125,7 +125,7 @@ TEMPLATE_TEST_CASE_SIG("The field in a magnetized sphere is right",
 }
 
 // The dipole moment of a linear sphere converges in first order of dx/R, from above: the smeared
-// interface makes it too large by about 0.27 dx/R in 3D at chi_0 = 0.91, whatever the potential's space is.
+// interface, a body's edge twice smoothed by B-splines, makes it too large by 0.35 dx/R at chi_0 = 0.91.
 TEMPLATE_TEST_CASE_SIG("The moment of a sphere converges", "[magnetics]", ((int dim), dim), 2, 3)
 {
   const auto excess = [](const double radius) {
@@ -137,8 +137,7 @@ TEMPLATE_TEST_CASE_SIG("The moment of a sphere converges", "[magnetics]", ((int 
   std::printf("moment %d %g %g\n", dim, coarse * 4, fine * 8);
   CHECK(fine > 0.);
   CHECK(coarse / fine == Approx(2.).epsilon(0.1));
-  if (dim == 3)
-    CHECK(8. * fine == Approx(0.27).epsilon(0.1));
+  CHECK(8. * fine == Approx(0.35).epsilon(0.1));
 }
 
 // Large susceptibilities, linear and saturated, converge with few iterations, and H goes to zero inside
@@ -160,7 +159,7 @@ TEST_CASE("Large susceptibilities converge", "[magnetics]")
                   linear.relative_moment(chi),
                   linear.inner_field() / exact_field<3>(MagnetizationLaw::linear, grains(chi), 1e5));
       CHECK(linear.report.newton.steps == 1);
-      CHECK(linear.report.newton.linear_iterations <= 15);
+      CHECK(linear.report.newton.linear_iterations <= 20);
       CHECK(linear.inner_field() < 1.6 * 1e5 / (1. + chi / 3.));
       CHECK(saturated.report.newton.steps <= 12);
       CHECK(saturated.report.relative_final_residual() <= 1e-10);
@@ -180,54 +179,66 @@ TEMPLATE_TEST_CASE_SIG("Open faces are far away", "[magnetics][mpi]", ((int dim)
   };
   const double far = energy(8., false), near = energy(2., false), shielded = energy(2., true);
   std::printf("open %d %g shielded %g\n", dim, near / far - 1., shielded / far - 1.);
-  CHECK(near == Approx(far).epsilon(1e-4));
+  CHECK(near == Approx(far).epsilon(dim == 2 ? 5e-4 : 1e-4));
   CHECK(std::abs(shielded / far - 1.) > 5e-3);
 }
 
-// With all faces shielded the box is filled with the field of the sphere and its images; a body that
-// fills a box mirrored on all sides has no free poles, H = H_0, in 2D and 3D: the problem is solvable
-// though nothing but one value fixes the constant of the potential.
+// With all faces shielded nothing fixes the constant of the potential but one value at a corner; the
+// problem is solvable all the same, as the poles of a body sum to zero.
+TEMPLATE_TEST_CASE_SIG("All faces can be shielded", "[magnetics][mpi]", ((int dim), dim), 2, 3)
+{
+  for (const Preconditioner preconditioner : {Preconditioner::gmg, Preconditioner::ml})
+    {
+      std::array<bool, 2 * dim> shielded;
+      shielded.fill(true);
+      auto parameters           = with_law<dim>(MagnetizationLaw::langevin);
+      parameters.preconditioner = preconditioner;
+      const SphereInField<dim> test(16, 5., grains(10.), 1e5, parameters, 2., shielded);
+      CHECK(test.report.relative_final_residual() <= 1e-10);
+      CHECK(test.report.newton.steps <= 6);
+      CHECK(test.report.newton.linear_iterations < 80);
+    }
+}
+
+// A body from one shielded wall to the opposite one is endless in a field along these walls: a slab
+// (2D) has H = H_0/(1 + chi_0) inside, a cylinder (3D) H_0/(1 + chi_0/2). Its images have to join it
+// without a gap, and the open faces to see a row of bodies without end.
 TEMPLATE_TEST_CASE_SIG("Shielded faces are mirrors", "[magnetics][mpi]", ((int dim), dim), 2, 3)
 {
-  std::array<bool, 2 * dim> shielded;
-  shielded.fill(true);
-  const SphereInField<dim> test(
-    16, 5., grains(10.), 1e5, with_law<dim>(MagnetizationLaw::langevin), 2., shielded);
-  CHECK(test.report.relative_final_residual() <= 1e-10);
-  CHECK(test.report.newton.steps <= 6);
-
-  // Faces along the field shielded: a wall from open end to open end is an infinite layer, whose
-  // inside has H tangential and undisturbed.
-  std::array<bool, 2 * dim> sides;
-  sides.fill(false);
-  sides[2 * (dim - 1)] = sides[2 * (dim - 1) + 1] = true;
-  Scene<dim>  scene(16, spacing, 2., with_law<dim>(MagnetizationLaw::linear), sides);
-  Vector<dim> lower, upper, field;
+  std::array<bool, 2 * dim> ends = {};
+  ends[2 * dim - 2] = ends[2 * dim - 1] = true;
+  Scene<dim>       scene(16, spacing, 2., with_law<dim>(MagnetizationLaw::linear), ends);
+  const double     centre = 8.1 * spacing, radius = 6. * spacing;
+  TestBody<dim>    body;
+  const auto       distance = [centre](const Vector<dim> &x) {
+    return dim == 3 ? std::hypot(x[0] - centre, x[1] - centre) : std::abs(x[0] - centre);
+  };
+  body.contains = [&](const Vector<dim> &x) { return distance(x) < radius; };
+  body.material = grains(1.);
   for (int d = 0; d < dim; ++d)
     {
-      lower[d] = spacing * 4.;
-      upper[d] = spacing * 12.;
+      body.lower[d] = (d == dim - 1 ? 0. : centre - radius);
+      body.upper[d] = (d == dim - 1 ? 16. * spacing : centre + radius);
     }
-  lower[dim - 1] = 0.;
-  upper[dim - 1] = 16. * spacing;
-  field[dim - 1] = 1e5;
-  scene.set_bodies({box<dim>(lower, upper, grains(1.))});
+  scene.set_bodies({body});
+  Vector<dim> field;
+  field[0] = 1e5;
   scene.problem.solve(scene.content, ExternalField<dim>({uniform_source<dim>(field)}));
+
   NodeField<dim> inner;
   scene.problem.compute_field(inner);
-  double mean = 0., count = 0.;
+  double lowest = 1e300, highest = 0.;
   scene.for_owned_nodes([&](const int slot, const int node, const Vector<dim> &x) {
-    double distance = 0.;
-    for (int d = 0; d < dim; ++d)
-      distance = std::max(distance, std::abs(x[d] - 8. * spacing));
-    if (distance < 2.5 * spacing)
+    if (distance(x) < 0.5 * radius && x[dim - 1] >= 0. && x[dim - 1] <= 16. * spacing)
       {
-        mean += inner.node(slot, node)[dim - 1];
-        count += 1.;
+        lowest  = std::min(lowest, inner.node(slot, node)[0]);
+        highest = std::max(highest, inner.node(slot, node)[0]);
       }
   });
-  mean = dealii::Utilities::MPI::sum(mean, MPI_COMM_WORLD) /
-         dealii::Utilities::MPI::sum(count, MPI_COMM_WORLD);
-  std::printf("mirror %d H/H0 %g\n", dim, mean / 1e5);
-  CHECK(mean == Approx(1e5).epsilon(0.1));
+  lowest             = dealii::Utilities::MPI::min(lowest, MPI_COMM_WORLD);
+  highest            = dealii::Utilities::MPI::max(highest, MPI_COMM_WORLD);
+  const double exact = 1e5 / (dim == 2 ? 2. : 1.5);
+  std::printf("mirror %d H/exact %g %g\n", dim, lowest / exact, highest / exact);
+  CHECK(lowest == Approx(exact).epsilon(dim == 2 ? 1e-3 : 0.02));
+  CHECK(highest == Approx(exact).epsilon(dim == 2 ? 1e-3 : 0.02));
 }

@@ -489,52 +489,51 @@ TEMPLATE_TEST_CASE_SIG("particles may drift by a cell between sorts",
 TEST_CASE("G2P reports the extremes of each body, and what is not a number as infinite",
           "[particles]")
 {
-  // A rigid rotation of speed 5 for a particle at rest in its body: v, C and J are known, and the
-  // signal is the speed plus the wave speed of the undeformed material. A velocity that is not a
-  // number is larger than every limit, whatever comes after it.
+  // A velocity field of constant gradient around an undeformed solid and a fluid with J = 1/2, 1, 3,
+  // in a step of no length: v, C, J and the wave speed sqrt((lambda + 2 mu)/rho) of the solid are
+  // known. A velocity that is not a number, or J <= 0, exceeds every limit, as infinity does.
   const Lattice<2> lattice    = test_lattice<2>();
   std::vector<Body<2>> bodies = {empty_body<2>(MechanicalLaw::neo_hookean, false),
                                  empty_body<2>(MechanicalLaw::viscoelastic_fluid, false)};
   Random random(7);
   for (Body<2> &body : bodies)
+    add_random_particles(lattice, 1., 3., 3, random, body);
+  for (int p = 0; p < 3; ++p)
     {
-      add_random_particles(lattice, 1., 3., 3, random, body);
-      for (int p = 0; p < 3; ++p)
-        for (int c = 0; c < body.particles.n_components(ParticleProperty::deformation); ++c)
-          body.particles.component(ParticleProperty::deformation, c)[p] = (c % 3 == 0 ? 1. : 0.);
+      store_state(identity<2>(), p, bodies[0].particles);
+      store_state(p == 0 ? 0.5 : 2. * p - 1., p, bodies[1].particles);
     }
-  // Of the fluid: compressed, undeformed and expanded.
-  bodies[1].particles.component(ParticleProperty::deformation, 0)[0] = 0.5;
-  bodies[1].particles.component(ParticleProperty::deformation, 0)[2] = 3.;
   const BlockSet<2> blocks = active_blocks(bodies, lattice);
   sort_all(blocks, lattice, bodies);
 
   NodeField<2> field = linear_field(blocks, lattice, {{3., 4.}}, Matrix<2>{{{0., -2.}, {2., 0.}}});
-  auto extremes      = lattice_to_particles(field, blocks, lattice, 0., bodies);
+  std::vector<Body<2>> moved = bodies;
+  auto extremes              = lattice_to_particles(field, blocks, lattice, 0., moved);
   REQUIRE(extremes.size() == 2);
   double speed = 0.;
   for (int p = 0; p < 3; ++p)
-    speed = std::max(speed, norm(bodies[0].particles.vector(ParticleProperty::velocity, p)));
+    speed = std::max(speed, norm(moved[0].particles.vector(ParticleProperty::velocity, p)));
+  CHECK(speed > 4.);
   CHECK(extremes[0].speed == Approx(speed).epsilon(1e-12));
   CHECK(extremes[0].signal_speed ==
         Approx(speed + std::sqrt((1.1 + 2. * 0.7) / 2.)).epsilon(1e-12));
   CHECK(extremes[0].affine_velocity == Approx(std::sqrt(8.)).epsilon(1e-12));
+  CHECK(extremes[0].max_volume_ratio == Approx(1.).epsilon(1e-12));
   CHECK(extremes[1].max_volume_ratio == Approx(3.).epsilon(1e-12));
   CHECK(extremes[1].max_inverse_volume_ratio == Approx(2.).epsilon(1e-12));
 
-  // NaN on one node next to the particles, then J = -1 of a single solid particle.
-  const int slot         = blocks.slot({0, 0});
-  field.node(slot, 5)[0] = std::nan("");
-  extremes               = lattice_to_particles(field, blocks, lattice, 0., bodies);
+  // Not a number on the node closest to the first particle.
+  const Index<2> node = lattice.nearest_node(bodies[0].particles.position(0));
+  field.node(blocks.slot(block_of<2>(node)), (node[0] & 3) + 4 * (node[1] & 3))[0] = std::nan("");
+  moved                                                                            = bodies;
+  extremes = lattice_to_particles(field, blocks, lattice, 0., moved);
   CHECK(std::isinf(extremes[0].speed));
   CHECK(std::isinf(extremes[0].signal_speed));
 
   field.set_zero();
-  for (int p = 0; p < 3; ++p)
-    for (int c = 0; c < 4; ++c)
-      bodies[0].particles.component(ParticleProperty::deformation,
-                                    c)[p] = (c == 0 && p == 1 ? -1. : c % 3 == 0);
-  extremes = lattice_to_particles(field, blocks, lattice, 0., bodies);
+  moved = bodies;
+  store_state(Matrix<2>{{{-1., 0.}, {0., 1.}}}, 1, moved[0].particles);
+  extremes = lattice_to_particles(field, blocks, lattice, 0., moved);
   CHECK(std::isinf(extremes[0].max_inverse_volume_ratio));
   CHECK(extremes[0].max_volume_ratio == Approx(1.));
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <magmpm/lattice/block_set.h>
+#include <magmpm/lattice/node_field.h>
 #include <magmpm/particles/body.h>
 #include <magmpm/particles/particle_sort.h>
 

@@ -43,6 +43,10 @@ namespace magmpm
     double      time_step = 0.; ///< of the last step [s]
     std::string limit     = "none";
 
+    /** The same of the last step that was not cut short to meet a frame. */
+    double      full_time_step = 0.;
+    std::string full_limit     = "none";
+
     std::size_t lost_particles     = 0; ///< so far, all ranks
     std::size_t migrated_particles = 0; ///< so far, all ranks
 

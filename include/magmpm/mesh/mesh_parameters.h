@@ -17,8 +17,10 @@ namespace magmpm
     /** Faces (-x, +x, -y, ...) where the potential box ends at the wall (mirror condition). */
     std::array<bool, 2 * dim> shielded = {};
 
-    /** Cells of the finest size are kept this many blocks beyond the active ones; they stay until the
-     *  material is more than twice as far. */
+    /**
+     * Cells are fine in the active blocks and this many blocks further, where the mesh changes; then
+     * they stay until the active blocks are twice as far.
+     */
     int band_width = 0;
   };
 } // namespace magmpm

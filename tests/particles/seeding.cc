@@ -1,0 +1,306 @@
+#include <magmpm/base/constants.h>
+#include <magmpm/particles/seeding.h>
+
+#include "catch.h"
+#include "random_bodies.h"
+
+#include <map>
+
+using namespace magmpm;
+using namespace magmpm::testing;
+
+namespace
+{
+  /** A box of 4 x 6 (x 8) cells whose corners are lattice nodes. */
+  template <int dim>
+  BodyParameters<dim>
+  box_on_nodes(const Lattice<dim> &lattice)
+  {
+    BodyParameters<dim> parameters;
+    parameters.name    = "box";
+    parameters.density = 1200.;
+    Index<dim> lower, upper;
+    for (int d = 0; d < dim; ++d)
+      {
+        lower[d] = 3 + d;
+        upper[d] = lower[d] + 4 + 2 * d;
+      }
+    parameters.lower_corner = lattice.node_position(lower);
+    parameters.upper_corner = lattice.node_position(upper);
+    return parameters;
+  }
+
+  template <int dim>
+  Body<dim>
+  seeded(const BodyParameters<dim> &parameters,
+         const Lattice<dim> &lattice,
+         const unsigned int rank    = 0,
+         const unsigned int n_ranks = 1,
+         const unsigned int number  = 0)
+  {
+    Body<dim> body = empty_body<dim>(MechanicalLaw::neo_hookean, false);
+    seed_particles(parameters, lattice, number, rank, n_ranks, body);
+    return body;
+  }
+
+  template <int dim>
+  double
+  volume_of(const Body<dim> &body)
+  {
+    double volume = 0.;
+    for (std::size_t p = 0; p < body.particles.size(); ++p)
+      volume += body.particles.component(ParticleProperty::volume, 0)[p];
+    return volume;
+  }
+
+  /** A sphere of radius 5.3 dx or, in 3D, a cylinder, around no special point of the lattice. */
+  template <int dim>
+  BodyParameters<dim>
+  round_body(const Lattice<dim> &lattice, const Shape shape)
+  {
+    BodyParameters<dim> parameters;
+    parameters.name    = "round";
+    parameters.shape   = shape;
+    parameters.density = 1200.;
+    parameters.radius  = 5.3 * lattice.spacing;
+    parameters.length  = 7.1 * lattice.spacing;
+    for (int d = 0; d < dim; ++d)
+      {
+        parameters.centre[d] = lattice.lower_corner[d] + lattice.spacing * (8.1 + 0.13 * d);
+        parameters.axis[d]   = 0.7 - 0.9 * d;
+      }
+    return parameters;
+  }
+
+  template <int dim>
+  void
+  check_volume(const BodyParameters<dim> &parameters, const double volume, const double tolerance)
+  {
+    const Lattice<dim> lattice = test_lattice<dim>();
+    const Body<dim> body       = seeded(parameters, lattice);
+    CHECK(volume_of(body) == Approx(volume).epsilon(tolerance));
+
+    // No particle outside, and the bounding box is as small as it can be.
+    const BoundingBox<dim> box = bounding_box(parameters);
+    for (int d = 0; d < dim; ++d)
+      {
+        const double *x     = body.particles.component(ParticleProperty::position, d);
+        const auto extremes = std::minmax_element(x, x + body.particles.size());
+        CHECK(*extremes.first >= box.lower[d]);
+        CHECK(*extremes.first < box.lower[d] + lattice.spacing);
+        CHECK(*extremes.second <= box.upper[d]);
+        CHECK(*extremes.second > box.upper[d] - lattice.spacing);
+      }
+  }
+} // namespace
+
+TEMPLATE_TEST_CASE_SIG("a box on lattice nodes is filled exactly",
+                       "[particles]",
+                       ((int dim), dim),
+                       2,
+                       3)
+{
+  // n^dim particles in each of its cells, with the volume of the box among them. Its corners are
+  // nodes, up to the rounding of their coordinates, so nothing is left out and nothing is too much.
+  const Lattice<dim> lattice     = test_lattice<dim>();
+  BodyParameters<dim> parameters = box_on_nodes(lattice);
+  const int n_cells              = (dim == 3 ? 4 * 6 * 8 : 4 * 6);
+  for (const int n : {1, 2, 3})
+    {
+      parameters.particles_per_edge = n;
+      const Body<dim> body          = seeded(parameters, lattice);
+      REQUIRE(body.particles.size() == std::size_t(n_cells * power(n, dim)));
+      CHECK(volume_of(body) == Approx(n_cells * std::pow(lattice.spacing, dim)).epsilon(1e-12));
+
+      std::map<Index<dim>, int> particles_in_cell;
+      for (std::size_t p = 0; p < body.particles.size(); ++p)
+        {
+          const Vector<dim> x = lattice.reduced(body.particles.position(p));
+          Index<dim> cell;
+          for (int d = 0; d < dim; ++d)
+            cell[d] = static_cast<int>(std::floor(x[d]));
+          ++particles_in_cell[cell];
+          CHECK(is_inside(parameters, body.particles.position(p)));
+        }
+      CHECK(particles_in_cell.size() == std::size_t(n_cells));
+      for (const auto &cell : particles_in_cell)
+        CHECK(cell.second == power(n, dim));
+    }
+}
+
+TEST_CASE("spheres and cylinders have their volume up to the steps of their surface", "[particles]")
+{
+  // Volumes against the formulas. Particles lie on a grid of spacing dx/2, a tenth of the radius, so
+  // the count is that of grid points in a round body: within one percent in 3D, two in 2D.
+  const Lattice<2> lattice2 = test_lattice<2>();
+  const Lattice<3> lattice3 = test_lattice<3>();
+  const double radius       = 0.53;
+  const double length       = 0.71;
+  check_volume(round_body(lattice2, Shape::sphere), constants::pi * radius * radius, 0.02);
+  check_volume(
+    round_body(lattice3, Shape::sphere), 4. / 3. * constants::pi * std::pow(radius, 3), 0.01);
+  check_volume(
+    round_body(lattice3, Shape::cylinder), constants::pi * radius * radius * length, 0.01);
+}
+
+TEST_CASE("a cylinder is round about its axis, whose length is of no importance", "[particles]")
+{
+  // Points just inside and outside of the mantle and of the ends of a cylinder along a slanted axis,
+  // and its bounding box along z, whose extents are the radius and half of the length.
+  BodyParameters<3> parameters;
+  parameters.shape      = Shape::cylinder;
+  parameters.centre     = {{1., 2., 3.}};
+  parameters.radius     = 0.5;
+  parameters.length     = 4.;
+  parameters.axis       = {{3., 0., 4.}};
+  const Vector<3> along = {{0.6, 0., 0.8}}, across = {{-0.8, 0., 0.6}};
+  CHECK(is_inside(parameters, parameters.centre + 1.99 * along));
+  CHECK_FALSE(is_inside(parameters, parameters.centre + 2.01 * along));
+  CHECK(is_inside(parameters, parameters.centre + 1.9 * along + 0.49 * across));
+  CHECK_FALSE(is_inside(parameters, parameters.centre + 1.9 * along + 0.51 * across));
+
+  parameters.axis          = {{0., 0., -2.}};
+  const BoundingBox<3> box = bounding_box(parameters);
+  const Vector<3> reach    = {{0.5, 0.5, 2.}};
+  CHECK(norm(box.lower - (parameters.centre - reach)) < 1e-14);
+  CHECK(norm(box.upper - (parameters.centre + reach)) < 1e-14);
+}
+
+TEMPLATE_TEST_CASE_SIG("any number of ranks seeds the same particles",
+                       "[particles]",
+                       ((int dim), dim),
+                       2,
+                       3)
+{
+  // The union over 2, 4 and 7 ranks of a jittered sphere against one rank: the same ids, each once,
+  // with the same numbers to the last bit. Places and jitter are functions of the place alone.
+  const Lattice<dim> lattice     = test_lattice<dim>();
+  BodyParameters<dim> parameters = round_body(lattice, Shape::sphere);
+  parameters.jitter              = 1.;
+  const auto collect             = [&](const unsigned int n_ranks) {
+    std::map<std::uint64_t, std::vector<double>> particles;
+    std::size_t n = 0;
+    for (unsigned int rank = 0; rank < n_ranks; ++rank)
+      {
+        const Body<dim> body = seeded(parameters, lattice, rank, n_ranks);
+        for (std::size_t p = 0; p < body.particles.size(); ++p)
+          body.particles.append_record(p, particles[body.particles.ids()[p]]);
+        n += body.particles.size();
+      }
+    CHECK(particles.size() == n);
+    return particles;
+  };
+  const auto of_one_rank = collect(1);
+  CHECK(of_one_rank.size() > 100);
+  for (const unsigned int n_ranks : {2u, 4u, 7u})
+    CHECK(collect(n_ranks) == of_one_rank);
+}
+
+TEST_CASE("ids of different bodies differ", "[particles]")
+{
+  // Two bodies in the same place: their ids have the number of the body above bit 40 and are
+  // otherwise those of the place, so no id occurs twice.
+  const Lattice<2> lattice           = test_lattice<2>();
+  const BodyParameters<2> parameters = box_on_nodes(lattice);
+  const Body<2> one                  = seeded(parameters, lattice, 0, 1, 0);
+  const Body<2> other                = seeded(parameters, lattice, 0, 1, 1);
+  std::set<std::uint64_t> ids(one.particles.ids().begin(), one.particles.ids().end());
+  ids.insert(other.particles.ids().begin(), other.particles.ids().end());
+  CHECK(ids.size() == one.particles.size() + other.particles.size());
+}
+
+TEMPLATE_TEST_CASE_SIG("jitter moves particles by at most half of its fraction of their spacing",
+                       "[particles]",
+                       ((int dim), dim),
+                       2,
+                       3)
+{
+  // Offsets of a jittered box from the regular one, with the same ids and number. They are uniform
+  // in +-jitter/2 spacings: none beyond it, some beyond 90 % of it, and the mean of N is 0 up to
+  // 4 standard deviations, spacing jitter/sqrt(12 N).
+  const Lattice<dim> lattice     = test_lattice<dim>();
+  BodyParameters<dim> parameters = box_on_nodes(lattice);
+  const Body<dim> regular        = seeded(parameters, lattice);
+  parameters.jitter              = 0.6;
+  const Body<dim> jittered       = seeded(parameters, lattice);
+  REQUIRE(jittered.particles.ids() == regular.particles.ids());
+
+  const double bound = 0.5 * 0.6 * 0.5 * lattice.spacing;
+  double largest     = 0.;
+  Vector<dim> sum;
+  const std::size_t n = regular.particles.size();
+  for (std::size_t p = 0; p < n; ++p)
+    {
+      const Vector<dim> offset = jittered.particles.position(p) - regular.particles.position(p);
+      for (int d = 0; d < dim; ++d)
+        largest = std::max(largest, std::abs(offset[d]));
+      sum += offset;
+    }
+  CHECK(largest <= bound);
+  CHECK(largest > 0.9 * bound);
+  for (int d = 0; d < dim; ++d)
+    CHECK(std::abs(sum[d]) / n < 4. * bound / std::sqrt(3. * n));
+}
+
+TEMPLATE_TEST_CASE_SIG("a spinning body moves as a rigid one",
+                       "[particles]",
+                       ((int dim), dim),
+                       2,
+                       3)
+{
+  // v = v_0 + omega x r about the middle of the body, and C = grad v, for every particle. The state
+  // is undeformed and mass is density times volume, so kinetic energy is that of the rigid body.
+  const Lattice<dim> lattice     = test_lattice<dim>();
+  BodyParameters<dim> parameters = box_on_nodes(lattice);
+  for (int d = 0; d < dim; ++d)
+    parameters.velocity[d] = 1. - 0.4 * d;
+  for (int c = 0; c < n_axial_components<dim>; ++c)
+    parameters.angular_velocity[c] = 2. - 3. * c;
+  Matrix<dim> gradient; // of omega x r
+  for (int d = 0; d < dim; ++d)
+    {
+      Vector<dim> direction;
+      direction[d]             = 1.;
+      const Vector<dim> column = rotation_velocity<dim>(parameters.angular_velocity, direction);
+      for (int c = 0; c < dim; ++c)
+        gradient(c, d) = column[c];
+    }
+
+  const Body<dim> body     = seeded(parameters, lattice);
+  const Vector<dim> centre = 0.5 * (parameters.lower_corner + parameters.upper_corner);
+  double error             = 0.;
+  for (std::size_t p = 0; p < body.particles.size(); ++p)
+    {
+      const ParticleSet<dim> &particles = body.particles;
+      const Vector<dim> r               = particles.position(p) - centre;
+      const Vector<dim> velocity        = parameters.velocity +
+                                   rotation_velocity<dim>(parameters.angular_velocity, r);
+      error = std::max(error, norm(particles.vector(ParticleProperty::velocity, p) - velocity));
+      for (int c = 0; c < dim * dim; ++c)
+        {
+          const int i = c / dim, j = c % dim;
+          error = std::max(error,
+                           std::abs(particles.component(ParticleProperty::affine_velocity, c)[p] -
+                                    gradient(i, j)));
+          error = std::max(error,
+                           std::abs(particles.component(ParticleProperty::deformation, c)[p] -
+                                    (i == j ? 1. : 0.)));
+        }
+      error = std::max(error,
+                       std::abs(particles.component(ParticleProperty::mass, 0)[p] -
+                                1200. * particles.component(ParticleProperty::volume, 0)[p]));
+    }
+  CHECK(error < 1e-12);
+}
+
+TEST_CASE("a fluid is seeded with J = 1", "[particles]")
+{
+  // A body that stores J alone has one component of deformation, and nothing is to be written
+  // beyond it. J = 1 is the undeformed state.
+  const Lattice<3> lattice = test_lattice<3>();
+  Body<3> body             = empty_body<3>(MechanicalLaw::viscoelastic_fluid, true);
+  seed_particles(box_on_nodes(lattice), lattice, 0, 0, 1, body);
+  REQUIRE(body.particles.n_components(ParticleProperty::deformation) == 1);
+  const double *j = body.particles.component(ParticleProperty::deformation, 0);
+  CHECK(std::all_of(j, j + body.particles.size(), [](const double value) { return value == 1.; }));
+}
