@@ -2,11 +2,13 @@
 
 In ParaView:    Tools > Python Shell > Run Script, after `import os; os.chdir("output-...")`,
                 or  paraview --script=doc/field_lines.py  started inside the output folder
-As a picture:   [xvfb-run -a] pvbatch doc/field_lines.py output-cube_nonlinear [--frame N] [--picture FILE.png]
+As a picture:   pvbatch doc/field_lines.py output-cube_nonlinear --frame 60 --picture lines.png
+                (without a screen: xvfb-run -a pvbatch ...)
 
 It opens fields.pvd and particles.pvd of a run, seeds lines around the particles of the chosen
 frame (the last one by default), and leaves a pipeline in which everything can be changed: the
-seeds ("seeds"), the quantity (H, M and B can be traced as well) and the time.
+seeds, the quantity (H, M and B can be traced as well) and the time. Whoever makes a stream tracer
+by hand sets its "Interpolator Type" to "Interpolator with Cell Locator", see trace_lines() below.
 """
 
 import argparse
@@ -65,11 +67,14 @@ def trace_lines(fields, particles, options):
                                 SeedType="Point Cloud")
     lines.Vectors = ["POINTS", full_name(fields, options.quantity)]
     lines.SeedType.Center = middle
-    lines.SeedType.Radius = 0.75 * size
+    lines.SeedType.Radius = size
     lines.SeedType.NumberOfPoints = options.seeds
     lines.IntegrationDirection = "BOTH"
-    lines.MaximumStreamlineLength = 20 * size
-    lines.MaximumSteps = 4000
+    lines.MaximumStreamlineLength = 10 * size
+    lines.MaximumSteps = 2000
+    # The default walks from a cell to its neighbour through common points, which cells of different
+    # size do not have: lines would end wherever the mesh changes its size.
+    lines.InterpolatorType = "Interpolator with Cell Locator"
     return lines, size
 
 
@@ -88,7 +93,7 @@ def show_lines(lines, size, options, view):
 
 
 def look_at_particles(particles, size, view):
-    """A view without perspective, from the side in 3D, that holds three times their size."""
+    """A view without perspective, from the side in 3D, that holds four times their size."""
     bounds = particles.GetDataInformation().GetBounds()
     middle = [0.5 * (bounds[2 * d] + bounds[2 * d + 1]) for d in range(3)]
     is_flat = bounds[5] == bounds[4]
@@ -97,7 +102,7 @@ def look_at_particles(particles, size, view):
     view.CameraFocalPoint = middle
     view.CameraPosition = [m + size * d for m, d in zip(middle, direction)]
     view.CameraViewUp = up
-    view.CameraParallelScale = 1.5 * size
+    view.CameraParallelScale = 2 * size
 
 
 def main():
@@ -110,6 +115,7 @@ def main():
         source.UpdatePipeline(time)
     full_name(fields, options.quantity)
 
+    simple._DisableFirstRenderCameraReset()
     view = simple.GetActiveViewOrCreate("RenderView")
     view.ViewSize = [800, 700]
     simple.GetAnimationScene().UpdateAnimationUsingDataTimeSteps()

@@ -14,7 +14,7 @@ namespace magmpm
     /** A particle beyond a limit, and how many times it is beyond. */
     struct Runaway
     {
-      double      excess   = -1.;
+      double excess        = -1.;
       std::size_t particle = 0;
     };
 
@@ -26,7 +26,7 @@ namespace magmpm
       for (std::size_t p = 0; p < body.particles.size(); ++p)
         {
           const double volume_ratio = particle_volume_ratio(body, p);
-          const double speed = norm(body.particles.vector(ParticleProperty::velocity, p));
+          const double speed        = norm(body.particles.vector(ParticleProperty::velocity, p));
           double excess = std::max(volume_ratio / limits.max_volume_ratio, speed / max_speed);
           if (volume_ratio <= limits.min_volume_ratio)
             excess = std::max(excess, limits.min_volume_ratio / std::max(volume_ratio, 1e-300));
@@ -40,25 +40,26 @@ namespace magmpm
 
     template <int dim>
     std::string
-    describe(const Body<dim>     &body,
-             const std::size_t    p,
+    describe(const Body<dim> &body,
+             const std::size_t p,
              const RunawayLimits &limits,
-             const double         max_speed,
-             const RunState      &state)
+             const double max_speed,
+             const RunState &state)
     {
-      const Vector<dim>  x = body.particles.position(p);
+      const Vector<dim> x = body.particles.position(p);
       std::ostringstream text;
       text << "particle " << body.particles.ids()[p] << " of body '" << body.name
            << "' ran away at t = " << state.time + state.time_step << " s (step " << state.step + 1
            << ", dt = " << state.time_step << " s, limit: " << state.limit
-           << "): J = " << particle_volume_ratio(body, p) << " (allowed: "
-           << limits.min_volume_ratio << " to " << limits.max_volume_ratio << "), speed "
-           << norm(body.particles.vector(ParticleProperty::velocity, p))
+           << "): J = " << particle_volume_ratio(body, p)
+           << " (allowed: " << limits.min_volume_ratio << " to " << limits.max_volume_ratio
+           << "), speed " << norm(body.particles.vector(ParticleProperty::velocity, p))
            << " m/s (allowed: up to " << max_speed << " m/s), position (";
       for (int d = 0; d < dim; ++d)
         text << (d > 0 ? ", " : "") << x[d];
-      text << ") m. The last frame written is good. Take a smaller time step, a stiffer material or "
-              "a weaker field; the limits are parameters of the section 'Runaway limits'.";
+      text
+        << ") m. The last frame written is good. Take a smaller time step, a stiffer material or "
+           "a weaker field; the limits are parameters of the section 'Runaway limits'.";
       return text.str();
     }
   } // namespace
@@ -73,11 +74,11 @@ namespace magmpm
 
   template <int dim>
   void
-  check_for_runaways(const std::vector<Body<dim>>        &bodies,
+  check_for_runaways(const std::vector<Body<dim>> &bodies,
                      const std::vector<ParticleExtremes> &extremes,
-                     const RunawayLimits                 &limits,
-                     const RunState                      &state,
-                     const MPI_Comm                       communicator)
+                     const RunawayLimits &limits,
+                     const RunState &state,
+                     const MPI_Comm communicator)
   {
     for (std::size_t b = 0; b < bodies.size(); ++b)
       {
@@ -87,10 +88,9 @@ namespace magmpm
             extremes[b].speed <= max_speed)
           continue;
 
-        const Runaway     worst = worst_particle(bodies[b], limits, max_speed);
+        const Runaway worst = worst_particle(bodies[b], limits, max_speed);
         const std::string description =
-          (worst.excess < 0. ? "" :
-                               describe(bodies[b], worst.particle, limits, max_speed, state));
+          (worst.excess < 0. ? "" : describe(bodies[b], worst.particle, limits, max_speed, state));
         const auto excesses     = dealii::Utilities::MPI::all_gather(communicator, worst.excess);
         const auto descriptions = dealii::Utilities::MPI::all_gather(communicator, description);
         const auto rank = std::max_element(excesses.begin(), excesses.end()) - excesses.begin();
@@ -98,12 +98,12 @@ namespace magmpm
       }
   }
 
-#define INSTANTIATE(dim)                                                                           \
-  template double undeformed_wave_speed(const Body<dim> &);                                        \
-  template void check_for_runaways(const std::vector<Body<dim>> &,                                 \
-                                   const std::vector<ParticleExtremes> &,                          \
-                                   const RunawayLimits &,                                          \
-                                   const RunState &,                                               \
+#define INSTANTIATE(dim)                                                  \
+  template double undeformed_wave_speed(const Body<dim> &);               \
+  template void check_for_runaways(const std::vector<Body<dim>> &,        \
+                                   const std::vector<ParticleExtremes> &, \
+                                   const RunawayLimits &,                 \
+                                   const RunState &,                      \
                                    const MPI_Comm);
 
   INSTANTIATE(2)

@@ -105,13 +105,13 @@ namespace magmpm
         state.full_time_step = step.length;
         state.full_limit     = step.limit;
       }
-    state.solved_this_step  = false;
+    state.solved_this_step = false;
 
     if (drift_since_sort > tolerated_drift * parameters.lattice.spacing)
       regroup_particles();
     external_field.set_time(state.time);
     if (solve_is_due())
-      solve_magnetics(); // Eqs. (25)-(33)
+      solve_magnetics();              // Eqs. (25)-(33)
     transfer_to_lattice(step.length); // Eq. (28)
     update_lattice();                 // Eqs. (33), (34)
     transfer_to_particles();          // Eqs. (35)-(37)
@@ -154,7 +154,8 @@ namespace magmpm
     for (const ParticleSums<dim> &sums : sums_of_bodies())
       {
         const Body<dim> &body = bodies[extremes.size()];
-        extremes.push_back({sums.max_speed, sums.max_speed + undeformed_wave_speed(body), 0., 1., 1.});
+        extremes.push_back(
+          {sums.max_speed, sums.max_speed + undeformed_wave_speed(body), 0., 1., 1.});
       }
     update_step_conditions(extremes);
   }
@@ -164,7 +165,7 @@ namespace magmpm
   Simulation<dim>::regroup_particles()
   {
     dealii::TimerOutput::Scope timed(*timer, "Sort and migrate");
-    std::size_t                n_lost = 0;
+    std::size_t n_lost = 0;
     for (Body<dim> &body : bodies)
       n_lost += remove_lost_particles(parameters.lattice, body);
     n_lost = dealii::Utilities::MPI::sum(n_lost, communicator);
@@ -203,7 +204,7 @@ namespace magmpm
 
   template <int dim>
   bool
-  Simulation<dim>::solve_is_due() const
+  Simulation<dim>::solve_is_due()
   {
     using Trigger = SolveTriggerParameters::Trigger;
     if (magnetics == nullptr)
@@ -218,7 +219,15 @@ namespace magmpm
     if (trigger.trigger == Trigger::every_n_steps)
       return state.step % trigger.n_steps == 0;
     const double tolerated = trigger.moved_fraction * parameters.lattice.spacing;
-    const auto   change    = external_field.change_since_remembered();
+    // The sum of the steps is cheap to have and never too short; vibrations make it too long.
+    if (drift_since_solve > tolerated)
+      {
+        drift_since_solve = 0.;
+        for (const Body<dim> &body : bodies)
+          drift_since_solve = std::max(drift_since_solve, way_since_solve(body));
+        drift_since_solve = dealii::Utilities::MPI::max(drift_since_solve, communicator);
+      }
+    const auto change = external_field.change_since_remembered();
     return drift_since_solve > tolerated || change.displacement > tolerated ||
            change.relative_strength > trigger.changed_fraction;
   }
@@ -234,11 +243,14 @@ namespace magmpm
     solve_potential(magnetic_content());
     NodeField<dim> force;
     force.reinit(partition.blocks().size());
-    state.lost_magnetic_force = norm(magnetics->compute_force(lattice_field, force));
+    state.dropped_magnetic_force = norm(magnetics->compute_force(lattice_field, force));
     forces_to_accelerations(force);
     partition.update_ghosts(force);
-    interpolate_to_particles(
-      force, partition.blocks(), parameters.lattice, ParticleProperty::magnetic_acceleration, bodies);
+    interpolate_to_particles(force,
+                             partition.blocks(),
+                             parameters.lattice,
+                             ParticleProperty::magnetic_acceleration,
+                             bodies);
     magnetics->compute_field(force);
     interpolate_to_particles(
       force, partition.blocks(), parameters.lattice, ParticleProperty::magnetic_field, bodies);
@@ -247,12 +259,13 @@ namespace magmpm
     step_conditions.acceleration        = norm(parameters.gravity);
     for (const ParticleSums<dim> &sums : sums_of_bodies())
       {
-        step_conditions.magnetic_wave_speed =
-          std::max(step_conditions.magnetic_wave_speed, sums.max_magnetic_wave_speed);
-        step_conditions.acceleration =
-          std::max(step_conditions.acceleration,
-                   norm(parameters.gravity) + sums.max_magnetic_acceleration);
+        step_conditions.magnetic_wave_speed = std::max(step_conditions.magnetic_wave_speed,
+                                                       sums.max_magnetic_wave_speed);
+        step_conditions.acceleration        = std::max(
+          step_conditions.acceleration, norm(parameters.gravity) + sums.max_magnetic_acceleration);
       }
+    for (Body<dim> &body : bodies)
+      remember_positions(body);
     external_field.remember();
     drift_since_solve        = 0.;
     state.solved_this_step   = true;
@@ -287,7 +300,7 @@ namespace magmpm
     for (int slot = 0; slot < partition.blocks().n_owned(); ++slot)
       for (int n = 0; n < nodes_per_block<dim>; ++n)
         {
-          double      *node = force.node(slot, n);
+          double *node      = force.node(slot, n);
           const double mass = lattice_field.node(slot, n)[3];
           for (int d = 0; d < dim; ++d)
             node[d] = (mass > 0. ? node[d] / mass : 0.);
@@ -321,12 +334,12 @@ namespace magmpm
   void
   Simulation<dim>::transfer_to_particles()
   {
-    dealii::TimerOutput::Scope    timed(*timer, "G2P");
+    dealii::TimerOutput::Scope timed(*timer, "G2P");
     std::vector<ParticleExtremes> extremes = lattice_to_particles(
       lattice_field, partition.blocks(), parameters.lattice, state.time_step, bodies);
 
     // The largest of all ranks, in one exchange.
-    constexpr int       n_extremes = sizeof(ParticleExtremes) / sizeof(double);
+    constexpr int n_extremes = sizeof(ParticleExtremes) / sizeof(double);
     std::vector<double> largest;
     for (const ParticleExtremes &e : extremes)
       largest.insert(largest.end(),
@@ -362,7 +375,8 @@ namespace magmpm
     for (std::size_t b = 0; b < bodies.size(); ++b)
       {
         conditions.signal_speed    = std::max(conditions.signal_speed, extremes[b].signal_speed);
-        conditions.affine_velocity = std::max(conditions.affine_velocity, extremes[b].affine_velocity);
+        conditions.affine_velocity = std::max(conditions.affine_velocity,
+                                              extremes[b].affine_velocity);
         conditions.kinematic_viscosity =
           std::max(conditions.kinematic_viscosity,
                    extremes[b].max_volume_ratio * viscosity_over_density(bodies[b]));
@@ -412,7 +426,7 @@ namespace magmpm
   Simulation<dim>::write_statistics()
   {
     dealii::TimerOutput::Scope timed(*timer, "Statistics");
-    double                     n_particles = 0.;
+    double n_particles = 0.;
     for (const Body<dim> &body : bodies)
       n_particles += static_cast<double>(body.particles.size());
     results.write_statistics(state,

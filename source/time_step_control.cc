@@ -5,15 +5,16 @@
 namespace magmpm
 {
   TimeStepControl::TimeStepControl(const TimeStepParameters &parameters,
-                                   const double              lattice_spacing)
+                                   const double lattice_spacing)
     : parameters(parameters)
     , lattice_spacing(lattice_spacing)
-  {}
+  {
+  }
 
   TimeStep
   TimeStepControl::stable_step(const StepConditions &conditions) const
   {
-    TimeStep   step  = {parameters.maximum, "maximum"};
+    TimeStep step    = {parameters.maximum, "maximum"};
     const auto limit = [&step](const std::string &name, const double length) {
       if (length < step.length)
         step = {length, name};
@@ -30,8 +31,8 @@ namespace magmpm
   TimeStep
   TimeStepControl::next_step(const StepConditions &conditions, const double time_to_frame) const
   {
-    TimeStep step =
-      (parameters.adaptive ? stable_step(conditions) : TimeStep{parameters.fixed_step, "fixed"});
+    TimeStep step = (parameters.adaptive ? stable_step(conditions)
+                                         : TimeStep{parameters.fixed_step, "fixed"});
     // Meet the frame, and without a sliver of a step before it. A fixed step that divides the frame
     // interval, up to rounding, stays what it is.
     if (step.length >= (1. - 1e-9) * time_to_frame)

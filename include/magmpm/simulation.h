@@ -58,7 +58,7 @@ namespace magmpm
     migrate_to_owners(const OccupiedBlocks<dim> &occupied);
 
     bool
-    solve_is_due() const;
+    solve_is_due();
 
     /** Solves the potential and lets the particles carry the force, Eqs. (25-33). */
     void
@@ -100,28 +100,27 @@ namespace magmpm
     write_statistics();
 
     const Parameters<dim> parameters;
-    const MPI_Comm        communicator;
+    const MPI_Comm communicator;
 
-    Results<dim>                         results;
+    Results<dim> results;
     std::unique_ptr<dealii::TimerOutput> timer;
 
-    ExternalField<dim>    external_field;
-    LatticeBoundary<dim>  boundary;
-    BackgroundMesh<dim>   mesh;
-    BlockPartition<dim>   partition;
+    ExternalField<dim> external_field;
+    LatticeBoundary<dim> boundary;
+    BackgroundMesh<dim> mesh;
+    BlockPartition<dim> partition;
     const TimeStepControl time_step_control;
 
     std::vector<Body<dim>> bodies;
-    NodeField<dim>         lattice_field; ///< {momentum or velocity, mass}
+    NodeField<dim> lattice_field; ///< {momentum or velocity, mass}
 
     std::unique_ptr<PotentialProblem<dim>> magnetics; ///< null without magnetic material
 
-    RunState       state;
+    RunState state;
     StepConditions step_conditions;
-    double         typical_particle_mass = 0.; ///< [kg]
-    unsigned int   mesh_of_last_solve    = 0;  ///< its revision
-    double         drift_since_sort      = 0.; ///< the longest way a particle can have gone [m]
-    double         drift_since_solve     = 0.; ///< [m]
-
+    double typical_particle_mass    = 0.; ///< [kg]
+    unsigned int mesh_of_last_solve = 0;  ///< its revision
+    double drift_since_sort         = 0.; ///< the longest way a particle can have gone [m]
+    double drift_since_solve        = 0.; ///< the same of magnetic particles, or more [m]
   };
 } // namespace magmpm

@@ -9,7 +9,9 @@ namespace magmpm
     /** What a contact leaves of the velocity relative to a surface with outward normal @p normal. */
     template <int dim>
     Vector<dim>
-    contact(const ContactCondition condition, const Vector<dim> &normal, const Vector<dim> &relative)
+    contact(const ContactCondition condition,
+            const Vector<dim> &normal,
+            const Vector<dim> &relative)
     {
       const double normal_velocity = dot(relative, normal);
       switch (condition)
@@ -43,13 +45,14 @@ namespace magmpm
   } // namespace
 
   template <int dim>
-  LatticeBoundary<dim>::LatticeBoundary(const Lattice<dim>        &lattice,
+  LatticeBoundary<dim>::LatticeBoundary(const Lattice<dim> &lattice,
                                         const WallParameters<dim> &walls,
-                                        const ExternalField<dim>  &sources)
+                                        const ExternalField<dim> &sources)
     : lattice(lattice)
     , walls(walls)
     , sources(sources)
-  {}
+  {
+  }
 
   template <int dim>
   Vector<dim>
@@ -60,8 +63,8 @@ namespace magmpm
         const Vector<dim> position = lattice.node_position(node);
         for (const MagnetizedSphere<dim> *sphere : sources.solid_spheres())
           {
-            const Vector<dim> r        = position - sphere->centre();
-            const double      distance = norm(r);
+            const Vector<dim> r   = position - sphere->centre();
+            const double distance = norm(r);
             // In the very centre no direction is outward, and the node just follows.
             if (distance < sphere->radius())
               velocity = sphere->velocity() +

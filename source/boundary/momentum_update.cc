@@ -4,18 +4,18 @@ namespace magmpm
 {
   template <int dim>
   void
-  update_lattice_momentum(const BlockSet<dim>        &blocks,
+  update_lattice_momentum(const BlockSet<dim> &blocks,
                           const LatticeBoundary<dim> &boundary,
-                          const Vector<dim>          &gravity,
-                          const double                time_step,
-                          const double                typical_mass,
-                          NodeField<dim>             &field)
+                          const Vector<dim> &gravity,
+                          const double time_step,
+                          const double typical_mass,
+                          NodeField<dim> &field)
   {
     const double negligible_mass = 1e-12 * typical_mass;
     for (int slot = 0; slot < blocks.n_owned(); ++slot)
       for (int n = 0; n < nodes_per_block<dim>; ++n)
         {
-          double      *node = field.node(slot, n);
+          double *node      = field.node(slot, n);
           const double mass = node[3];
           if (mass == 0.)
             continue;

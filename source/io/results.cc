@@ -19,7 +19,8 @@ namespace magmpm
       std::ofstream file(path);
       file << text << std::flush;
       if (!file)
-        throw RunError("cannot write '" + path + "'; is the disk full, or the folder not writable?");
+        throw RunError("cannot write '" + path +
+                       "'; is the disk full, or the folder not writable?");
     }
 
     /** Makes the folder with its .prm files on rank 0; returns its name when all ranks can use it. */
@@ -28,7 +29,7 @@ namespace magmpm
     prepare_folder(const Parameters<dim> &parameters, const MPI_Comm communicator)
     {
       const std::string directory = parameters.output.directory;
-      std::string       error;
+      std::string error;
       if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
         {
           try
@@ -61,9 +62,9 @@ namespace magmpm
     /** The values of one quantity that a user may ask for, of all particles of this rank. */
     template <int dim>
     ParticleQuantity
-    written_quantity(const std::string            &name,
+    written_quantity(const std::string &name,
                      const std::vector<Body<dim>> &bodies,
-                     const MagnetizationLaw        law)
+                     const MagnetizationLaw law)
     {
       const auto fill = [&](const std::string &unit, const int n_components, const auto &value) {
         ParticleQuantity quantity;
@@ -102,9 +103,9 @@ namespace magmpm
   } // namespace
 
   template <int dim>
-  Results<dim>::Results(const Parameters<dim>          &parameters,
+  Results<dim>::Results(const Parameters<dim> &parameters,
                         const std::vector<std::string> &phases,
-                        const MPI_Comm                  communicator)
+                        const MPI_Comm communicator)
     : parameters(parameters)
     , communicator(communicator)
     , phases(phases)
@@ -132,12 +133,12 @@ namespace magmpm
   template <int dim>
   void
   Results<dim>::write_header(const std::vector<Body<dim>> &bodies,
-                             const unsigned long long      n_potential_unknowns)
+                             const unsigned long long n_potential_unknowns)
   {
     RunLog::Scene scene;
-    scene.dimension          = dim;
-    scene.lattice_spacing    = parameters.lattice.spacing;
-    scene.potential_unknowns = n_potential_unknowns;
+    scene.dimension           = dim;
+    scene.lattice_spacing     = parameters.lattice.spacing;
+    scene.potential_unknowns  = n_potential_unknowns;
     unsigned long n_particles = 0;
     for (const Body<dim> &body : bodies)
       n_particles += body.particles.size();
@@ -156,7 +157,7 @@ namespace magmpm
   {
     if (!parameters.output.write_particles)
       return;
-    std::vector<Vector<dim>>      positions;
+    std::vector<Vector<dim>> positions;
     std::vector<ParticleQuantity> quantities;
     for (const Body<dim> &body : bodies)
       for (std::size_t p = 0; p < body.particles.size(); ++p)
@@ -168,11 +169,11 @@ namespace magmpm
 
   template <int dim>
   void
-  Results<dim>::write_fields(const RunState              &state,
+  Results<dim>::write_fields(const RunState &state,
                              const PotentialProblem<dim> &potential,
-                             const BlockPartition<dim>   &partition,
-                             const NodeField<dim>        &content,
-                             const ExternalField<dim>    &sources)
+                             const BlockPartition<dim> &partition,
+                             const NodeField<dim> &content,
+                             const ExternalField<dim> &sources)
   {
     field_output->write_frame(state.frame, state.time, potential, partition, content, sources);
   }
@@ -196,10 +197,10 @@ namespace magmpm
 
   template <int dim>
   void
-  Results<dim>::write_statistics(const RunState                       &state,
+  Results<dim>::write_statistics(const RunState &state,
                                  const std::vector<ParticleSums<dim>> &sums,
-                                 const double                          fewest_particles,
-                                 const std::map<std::string, double>  &seconds)
+                                 const double fewest_particles,
+                                 const std::map<std::string, double> &seconds)
   {
     ParticleSums<dim> total;
     for (const ParticleSums<dim> &sum : sums)
@@ -239,11 +240,12 @@ namespace magmpm
     statistics.set("line search steps", solved ? solve.newton.line_search_steps : 0);
     statistics.set("CG iterations", solved ? solve.newton.linear_iterations : 0);
     statistics.set("Newton residual", solved ? solve.relative_final_residual() : 0.);
+    statistics.set("dropped magnetic force", state.dropped_magnetic_force);
     statistics.set("potential unknowns", static_cast<double>(solve.n_unknowns));
     for (const std::string &phase : phases)
       {
-        const auto   found = seconds.find(phase);
-        const double now   = (found == seconds.end() ? 0. : found->second);
+        const auto found = seconds.find(phase);
+        const double now = (found == seconds.end() ? 0. : found->second);
         statistics.set(phase_column(phase), now - seconds_before[phase]);
         seconds_before[phase] = now;
       }

@@ -76,6 +76,7 @@ namespace magmpm
                     {"line search steps", ""},
                     {"CG iterations", ""},
                     {"Newton residual", "-"},
+                    {"dropped magnetic force", Unit::force},
                     {"potential unknowns", ""}});
     for (const std::string &phase : phases)
       columns.push_back({phase_column(phase), "s"});

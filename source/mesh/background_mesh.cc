@@ -20,9 +20,9 @@ namespace magmpm
     template <int dim>
     struct PotentialBox
     {
-      int        root_level = 0;
-      Index<dim> n_roots    = {};
-      Index<dim> lower      = {}; ///< block in the lower corner
+      int root_level     = 0;
+      Index<dim> n_roots = {};
+      Index<dim> lower   = {}; ///< block in the lower corner
 
       Index<dim>
       n_blocks() const
@@ -40,20 +40,20 @@ namespace magmpm
     potential_box(const Lattice<dim> &lattice, const MeshParameters<dim> &parameters)
     {
       PotentialBox<dim> box;
-      Index<dim>        needed, wall_to_wall;
+      Index<dim> needed, wall_to_wall;
       for (int d = 0; d < dim; ++d)
         {
           wall_to_wall[d]  = lattice.n_cells[d] / block_edge;
-          const int n_open = parameters.carries_potential ?
-                               2 - parameters.shielded[2 * d] - parameters.shielded[2 * d + 1] :
-                               0;
+          const int n_open = parameters.carries_potential
+                               ? 2 - parameters.shielded[2 * d] - parameters.shielded[2 * d + 1]
+                               : 0;
           needed[d]        = wall_to_wall[d];
           if (n_open > 0)
-            needed[d] =
-              std::max(wall_to_wall[d] + 2 * n_open,
-                       static_cast<int>(std::ceil(wall_to_wall[d] * parameters.potential_box_factor)));
+            needed[d] = std::max(
+              wall_to_wall[d] + 2 * n_open,
+              static_cast<int>(std::ceil(wall_to_wall[d] * parameters.potential_box_factor)));
           const bool fixed = parameters.carries_potential && n_open == 0;
-          int        level = 0;
+          int level        = 0;
           while (fixed ? needed[d] % (2 << level) == 0 : (2 << level) <= needed[d])
             ++level;
           box.root_level = (d == 0 ? level : std::min(box.root_level, level));
@@ -70,7 +70,7 @@ namespace magmpm
         }
       for (int d = 0; d < dim; ++d)
         {
-          const int  outside    = box.n_blocks()[d] - wall_to_wall[d];
+          const int outside     = box.n_blocks()[d] - wall_to_wall[d];
           const bool open_below = !(parameters.carries_potential && parameters.shielded[2 * d]);
           const bool open_above = !(parameters.carries_potential && parameters.shielded[2 * d + 1]);
           box.lower[d]          = (open_below ? (open_above ? -(outside / 2) : -outside) : 0);
@@ -86,7 +86,7 @@ namespace magmpm
       for (int d = 0; d < dim; ++d)
         {
           BlockKeys seen;
-          std::vector<Index<dim>>           wider;
+          std::vector<Index<dim>> wider;
           for (const Index<dim> &block : blocks)
             for (int shift = -distance; shift <= distance; ++shift)
               {
@@ -107,8 +107,8 @@ namespace magmpm
     using Tria         = dealii::parallel::distributed::Triangulation<dim>;
     using CellIterator = typename dealii::Triangulation<dim>::cell_iterator;
 
-    Implementation(const MPI_Comm             communicator,
-                   const Lattice<dim>        &lattice,
+    Implementation(const MPI_Comm communicator,
+                   const Lattice<dim> &lattice,
                    const MeshParameters<dim> &parameters);
 
     /** The place of a cell of any level, in cells of its level from the corner of the box. */
@@ -127,26 +127,25 @@ namespace magmpm
     is_fine(const std::vector<Index<dim>> &blocks) const;
 
     bool
-    refine_and_coarsen(const std::vector<BlockKeys> &refined,
-                       const std::vector<BlockKeys> *kept);
+    refine_and_coarsen(const std::vector<BlockKeys> &refined, const std::vector<BlockKeys> *kept);
 
     /** Particles of the most loaded rank over the mean. */
     double
     imbalance() const;
 
-    const Lattice<dim>      lattice;
+    const Lattice<dim> lattice;
     const PotentialBox<dim> box;
-    const int               finest_level;
-    mutable Tria            triangulation;
+    const int finest_level;
+    mutable Tria triangulation;
 
     /** Particles by block of all ranks, for the weights of cells. */
     std::unordered_map<std::uint64_t, unsigned int> particles_in_block;
-    double                                          imbalance_after_partition = 0.;
+    double imbalance_after_partition = 0.;
   };
 
   template <int dim>
-  BackgroundMesh<dim>::Implementation::Implementation(const MPI_Comm             communicator,
-                                                      const Lattice<dim>        &lattice,
+  BackgroundMesh<dim>::Implementation::Implementation(const MPI_Comm communicator,
+                                                      const Lattice<dim> &lattice,
                                                       const MeshParameters<dim> &parameters)
     : lattice(lattice)
     , box(potential_box(lattice, parameters))
@@ -158,8 +157,8 @@ namespace magmpm
                                             Tria::communicate_vertices_to_p4est))
   {
     std::vector<unsigned int> repetitions(box.n_roots.begin(), box.n_roots.end());
-    dealii::Point<dim>        lower, upper;
-    Index<dim>                lower_node;
+    dealii::Point<dim> lower, upper;
+    Index<dim> lower_node;
     for (int d = 0; d < dim; ++d)
       lower_node[d] = block_edge * box.lower[d];
     const Vector<dim> corner = lattice.node_position(lower_node);
@@ -169,7 +168,8 @@ namespace magmpm
         upper[d] = corner[d] + lattice.spacing * block_edge * box.n_blocks()[d];
       }
     // Colorized: boundary ids 2 d and 2 d + 1 on the lower and upper face of direction d.
-    dealii::GridGenerator::subdivided_hyper_rectangle(triangulation, repetitions, lower, upper, true);
+    dealii::GridGenerator::subdivided_hyper_rectangle(
+      triangulation, repetitions, lower, upper, true);
 
     // What a cell costs its rank, in units of a thousandth of the cost of a cell of the potential
     // problem; a particle costs about 0.03 of it.
@@ -177,8 +177,8 @@ namespace magmpm
     const double particle_weight = 30.;
     triangulation.signals.weight.connect(
       [this, cell_weight, particle_weight](const CellIterator &cell, const auto) {
-        double    particles = 0.;
-        const int level     = cell->level();
+        double particles = 0.;
+        const int level  = cell->level();
         if (level >= box.root_level)
           {
             Index<dim> block = place(cell);
@@ -254,22 +254,21 @@ namespace magmpm
           if (needed.count(block_key<dim>(block)) > 0)
             owned.insert(block_key<dim>(block));
         }
-    const std::size_t found =
-      dealii::Utilities::MPI::sum(owned.size(), triangulation.get_communicator());
+    const std::size_t found = dealii::Utilities::MPI::sum(owned.size(),
+                                                          triangulation.get_communicator());
     return found == needed.size();
   }
 
   template <int dim>
   bool
-  BackgroundMesh<dim>::Implementation::refine_and_coarsen(
-    const std::vector<BlockKeys> &refined,
-    const std::vector<BlockKeys> *kept)
+  BackgroundMesh<dim>::Implementation::refine_and_coarsen(const std::vector<BlockKeys> &refined,
+                                                          const std::vector<BlockKeys> *kept)
   {
     bool any = false;
     for (const auto &cell : triangulation.active_cell_iterators())
       if (cell->is_locally_owned())
         {
-          const int  level  = cell->level();
+          const int level   = cell->level();
           Index<dim> parent = place(cell);
           if (level < finest_level && refined[level].count(block_key<dim>(parent)) > 0)
             {
@@ -308,27 +307,27 @@ namespace magmpm
           if (found != particles_in_block.end())
             load += found->second;
         }
-    const auto loads =
-      dealii::Utilities::MPI::min_max_avg(load, triangulation.get_communicator());
+    const auto loads = dealii::Utilities::MPI::min_max_avg(load, triangulation.get_communicator());
     return loads.avg > 0. ? loads.max / loads.avg : 1.;
   }
 
   template <int dim>
-  BackgroundMesh<dim>::BackgroundMesh(const MPI_Comm             communicator,
-                                      const Lattice<dim>        &lattice,
+  BackgroundMesh<dim>::BackgroundMesh(const MPI_Comm communicator,
+                                      const Lattice<dim> &lattice,
                                       const MeshParameters<dim> &parameters)
     : the_communicator(communicator)
     , the_lattice(lattice)
     , the_parameters(parameters)
     , implementation(std::make_unique<Implementation>(communicator, lattice, parameters))
-  {}
+  {
+  }
 
   template <int dim>
   BackgroundMesh<dim>::~BackgroundMesh() = default;
 
   template <int dim>
   bool
-  BackgroundMesh<dim>::adapt(const std::vector<Index<dim>>   &local_blocks,
+  BackgroundMesh<dim>::adapt(const std::vector<Index<dim>> &local_blocks,
                              const std::vector<unsigned int> &local_weights)
   {
     Implementation &mesh = *implementation;
@@ -344,15 +343,14 @@ namespace magmpm
         mesh.particles_in_block[block_key<dim>(blocks[b++])] += weight;
 
     const double tolerated_imbalance = 1.2;
-    const bool   is_fine             = mesh.is_fine(dilated<dim>(blocks, 1));
+    const bool is_fine               = mesh.is_fine(dilated<dim>(blocks, 1));
     const double imbalance           = mesh.imbalance();
-    if (is_fine &&
-        imbalance <= std::max(tolerated_imbalance, 1.1 * mesh.imbalance_after_partition))
+    if (is_fine && imbalance <= std::max(tolerated_imbalance, 1.1 * mesh.imbalance_after_partition))
       return false;
 
     if (!is_fine)
       {
-        const int  reach   = 1 + the_parameters.band_width;
+        const int reach    = 1 + the_parameters.band_width;
         const auto refined = mesh.ancestors(dilated<dim>(blocks, reach));
         const auto kept    = mesh.ancestors(dilated<dim>(blocks, 2 * reach));
         // Coarsening only once, or 2:1 balance and coarsening could undo each other for ever.
@@ -372,7 +370,7 @@ namespace magmpm
   {
     // The first cell of a block in Morton order is the one at its lower corner; a point a quarter
     // of the smallest cell inside belongs to it however the block is refined.
-    const Index<dim>                n_blocks = implementation->box.n_blocks();
+    const Index<dim> n_blocks = implementation->box.n_blocks();
     std::vector<dealii::Point<dim>> points(blocks.size());
     for (std::size_t b = 0; b < blocks.size(); ++b)
       {

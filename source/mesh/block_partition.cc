@@ -20,7 +20,7 @@ namespace magmpm
     blocks_around(const BackgroundMesh<dim> &mesh, const std::vector<Index<dim>> &blocks)
     {
       std::unordered_set<std::uint64_t> seen;
-      std::vector<Index<dim>>           around;
+      std::vector<Index<dim>> around;
       for (const Index<dim> &block : blocks)
         for (int n = 0; n < n_neighbours<dim>; ++n)
           {
@@ -29,7 +29,7 @@ namespace magmpm
               around.push_back(other);
           }
       const std::vector<unsigned int> owners = mesh.owners(around);
-      BlocksByRank<dim>               by_rank;
+      BlocksByRank<dim> by_rank;
       for (std::size_t b = 0; b < around.size(); ++b)
         by_rank[owners[b]].push_back(around[b]);
       return by_rank;
@@ -40,7 +40,8 @@ namespace magmpm
   BlockPartition<dim>::BlockPartition(const BackgroundMesh<dim> &mesh)
     : mesh(mesh)
     , partitioner(std::make_unique<dealii::Utilities::MPI::Partitioner>())
-  {}
+  {
+  }
 
   template <int dim>
   BlockPartition<dim>::~BlockPartition() = default;
@@ -50,16 +51,14 @@ namespace magmpm
   BlockPartition<dim>::rebuild(const std::vector<Index<dim>> &occupied)
   {
     using dealii::types::global_dof_index;
-    const MPI_Comm     communicator = mesh.communicator();
-    const unsigned int rank         = dealii::Utilities::MPI::this_mpi_process(communicator);
+    const MPI_Comm communicator = mesh.communicator();
+    const unsigned int rank     = dealii::Utilities::MPI::this_mpi_process(communicator);
 
     // Occupied blocks activate the ones around them, also those of other ranks.
     BlocksByRank<dim> activated = blocks_around<dim>(mesh, occupied);
     for (const auto &request : dealii::Utilities::MPI::some_to_some(communicator, activated))
       if (request.first != rank)
-        activated[rank].insert(activated[rank].end(),
-                               request.second.begin(),
-                               request.second.end());
+        activated[rank].insert(activated[rank].end(), request.second.begin(), request.second.end());
     std::vector<Index<dim>> owned = activated[rank];
     std::sort(owned.begin(), owned.end());
     owned.erase(std::unique(owned.begin(), owned.end()), owned.end());
@@ -69,7 +68,7 @@ namespace magmpm
       dealii::Utilities::MPI::create_ascending_partitioning(communicator, owned.size());
     const global_dof_index first = owned.empty() ? 0 : slots_of_ranks[rank].nth_index_in_set(0);
     const global_dof_index total = slots_of_ranks[rank].size();
-    const BlockSet<dim>    owned_set(owned, static_cast<int>(owned.size()));
+    const BlockSet<dim> owned_set(owned, static_cast<int>(owned.size()));
 
     // Ask the owners of the blocks around ours which of them are active.
     BlocksByRank<dim> asked = blocks_around<dim>(mesh, owned);
@@ -90,7 +89,7 @@ namespace magmpm
 
     // Ghosts come in the order of their global numbers: the order of the partitioner's ghosts.
     constexpr global_dof_index size = NodeField<dim>::block_size;
-    dealii::IndexSet           owned_values(size * total), ghost_values(size * total);
+    dealii::IndexSet owned_values(size * total), ghost_values(size * total);
     owned_values.add_range(size * first, size * (first + owned.size()));
     std::vector<Index<dim>> all = owned;
     for (const auto &ghost : ghosts)
@@ -99,8 +98,8 @@ namespace magmpm
         all.push_back(ghost.second);
       }
     // A fresh one: reinit() of deal.II 9.4 keeps parts of the old exchange pattern.
-    partitioner =
-      std::make_unique<dealii::Utilities::MPI::Partitioner>(owned_values, ghost_values, communicator);
+    partitioner = std::make_unique<dealii::Utilities::MPI::Partitioner>(
+      owned_values, ghost_values, communicator);
     block_set = BlockSet<dim>(std::move(all), static_cast<int>(owned.size()));
   }
 
@@ -108,40 +107,37 @@ namespace magmpm
   void
   BlockPartition<dim>::add_ghosts_to_owners(NodeField<dim> &field) const
   {
-    const std::size_t        n_owned  = partitioner->locally_owned_size();
-    const std::size_t        n_ghosts = partitioner->n_ghost_indices();
+    const std::size_t n_owned  = partitioner->locally_owned_size();
+    const std::size_t n_ghosts = partitioner->n_ghost_indices();
     std::vector<MPI_Request> requests;
     buffer.resize(partitioner->n_import_indices());
     const dealii::ArrayView<double> owned(field.block(0), n_owned);
     const dealii::ArrayView<double> ghosts(field.block(0) + n_owned, n_ghosts);
-    partitioner->import_from_ghosted_array_start(dealii::VectorOperation::add,
-                                                 0,
-                                                 ghosts,
-                                                 dealii::make_array_view(buffer),
-                                                 requests);
-    partitioner->import_from_ghosted_array_finish(
-      dealii::VectorOperation::add,
-      dealii::ArrayView<const double>(buffer.data(), buffer.size()),
-      owned,
-      ghosts,
-      requests);
+    partitioner->import_from_ghosted_array_start(
+      dealii::VectorOperation::add, 0, ghosts, dealii::make_array_view(buffer), requests);
+    partitioner->import_from_ghosted_array_finish(dealii::VectorOperation::add,
+                                                  dealii::ArrayView<const double>(buffer.data(),
+                                                                                  buffer.size()),
+                                                  owned,
+                                                  ghosts,
+                                                  requests);
   }
 
   template <int dim>
   void
   BlockPartition<dim>::update_ghosts(NodeField<dim> &field) const
   {
-    const std::size_t        n_owned  = partitioner->locally_owned_size();
-    const std::size_t        n_ghosts = partitioner->n_ghost_indices();
+    const std::size_t n_owned  = partitioner->locally_owned_size();
+    const std::size_t n_ghosts = partitioner->n_ghost_indices();
     std::vector<MPI_Request> requests;
     buffer.resize(partitioner->n_import_indices());
     const dealii::ArrayView<double> ghosts(field.block(0) + n_owned, n_ghosts);
-    partitioner->export_to_ghosted_array_start(
-      0,
-      dealii::ArrayView<const double>(field.block(0), n_owned),
-      dealii::make_array_view(buffer),
-      ghosts,
-      requests);
+    partitioner->export_to_ghosted_array_start(0,
+                                               dealii::ArrayView<const double>(field.block(0),
+                                                                               n_owned),
+                                               dealii::make_array_view(buffer),
+                                               ghosts,
+                                               requests);
     partitioner->export_to_ghosted_array_finish(ghosts, requests);
   }
 

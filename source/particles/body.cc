@@ -25,7 +25,8 @@ namespace magmpm
     , material(make_material<dim>(material, parameters.density))
     , magnetic(material.magnetic)
     , particles(material.law == MechanicalLaw::neo_hookean, material.magnetic.is_magnetic())
-  {}
+  {
+  }
 
   template struct Body<2>;
   template struct Body<3>;

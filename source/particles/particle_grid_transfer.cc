@@ -17,9 +17,9 @@ namespace magmpm
     template <int dim>
     struct Stencil
     {
-      int    first = 0;                    ///< place of the first node in the arena [doubles]
-      double weights[dim][stencil_width];  ///< of the nodes in each direction
-      double distance[dim];                ///< from the particle to the first node, per direction [m]
+      int first = 0;                      ///< place of the first node in the arena [doubles]
+      double weights[dim][stencil_width]; ///< of the nodes in each direction
+      double distance[dim]; ///< from the particle to the first node, per direction [m]
     };
 
     /** Places particles on the lattice of one arena. */
@@ -31,7 +31,8 @@ namespace magmpm
         : origin(lattice.node_position(Arena<dim>::first_node(block)))
         , spacing(lattice.spacing)
         , inverse_spacing(1. / lattice.spacing)
-      {}
+      {
+      }
 
       Stencil<dim>
       at(const ParticleArrays<dim> &particles, const std::size_t p) const
@@ -40,7 +41,7 @@ namespace magmpm
         for (int d = 0; d < dim; ++d)
           {
             const double x      = (particles.position[d][p] - origin[d]) * inverse_spacing;
-            const int    node   = static_cast<int>(x - 0.5);
+            const int node      = static_cast<int>(x - 0.5);
             const double offset = x - node;
             quadratic_bspline(offset, stencil.weights[d]);
             stencil.first += node * Arena<dim>::stride(d);
@@ -51,8 +52,8 @@ namespace magmpm
 
     private:
       Vector<dim> origin;
-      double      spacing;
-      double      inverse_spacing;
+      double spacing;
+      double inverse_spacing;
     };
 
     /** Calls f(place in the arena, weight, {i, j, k}) for the nodes around a particle. */
@@ -63,7 +64,7 @@ namespace magmpm
       for (int k = 0; k < (dim == 3 ? stencil_width : 1); ++k)
         for (int j = 0; j < stencil_width; ++j)
           {
-            int    place  = stencil.first + j * Arena<dim>::stride(1);
+            int place     = stencil.first + j * Arena<dim>::stride(1);
             double weight = stencil.weights[1][j];
             if constexpr (dim == 3)
               {
@@ -79,8 +80,8 @@ namespace magmpm
     template <int dim>
     inline void
     scatter_linear(const Stencil<dim> &stencil,
-                   const double        spacing,
-                   const Lanes        &value,
+                   const double spacing,
+                   const Lanes &value,
                    const Lanes (&slope)[dim],
                    double *arena)
     {
@@ -91,35 +92,35 @@ namespace magmpm
           start += stencil.distance[d] * slope[d];
           step[d] = spacing * slope[d];
         }
-      for_each_node<dim>(stencil,
-                         [&](const int place, const double weight, const int i, const int j, const int k) {
-                           Lanes here = start + double(i) * step[0] + double(j) * step[1];
-                           if constexpr (dim == 3)
-                             here += double(k) * step[2];
-                           store_lanes(load_lanes(arena + place) + weight * here, arena + place);
-                         });
+      for_each_node<dim>(
+        stencil, [&](const int place, const double weight, const int i, const int j, const int k) {
+          Lanes here = start + double(i) * step[0] + double(j) * step[1];
+          if constexpr (dim == 3)
+            here += double(k) * step[2];
+          store_lanes(load_lanes(arena + place) + weight * here, arena + place);
+        });
     }
 
     /** Interpolates: returns sum_i N_i q_i, and sum_i N_i q_i (x_i - x_p)_d in @p moment[d]. */
     template <int dim>
     inline Lanes
     gather_linear(const Stencil<dim> &stencil,
-                  const double        spacing,
-                  const double       *arena,
+                  const double spacing,
+                  const double *arena,
                   Lanes (&moment)[dim])
     {
       Lanes sum = {};
       for (int d = 0; d < dim; ++d)
         moment[d] = Lanes{};
-      for_each_node<dim>(stencil,
-                         [&](const int place, const double weight, const int i, const int j, const int k) {
-                           const Lanes q = weight * load_lanes(arena + place);
-                           sum += q;
-                           moment[0] += double(i) * q;
-                           moment[1] += double(j) * q;
-                           if constexpr (dim == 3)
-                             moment[2] += double(k) * q;
-                         });
+      for_each_node<dim>(
+        stencil, [&](const int place, const double weight, const int i, const int j, const int k) {
+          const Lanes q = weight * load_lanes(arena + place);
+          sum += q;
+          moment[0] += double(i) * q;
+          moment[1] += double(j) * q;
+          if constexpr (dim == 3)
+            moment[2] += double(k) * q;
+        });
       for (int d = 0; d < dim; ++d)
         moment[d] = spacing * moment[d] + stencil.distance[d] * sum;
       return sum;
@@ -130,25 +131,25 @@ namespace magmpm
     struct Run
     {
       ParticleArrays<dim> particles;
-      std::size_t         begin, end;
+      std::size_t begin, end;
       StencilOfBlock<dim> stencils;
-      double              spacing;
+      double spacing;
     };
 
     template <int dim, typename Law>
     void
     scatter_momentum(const Run<dim> &run, const Law &law, const double time_step, double *arena)
     {
-      const ParticleArrays<dim> &particles     = run.particles;
-      const double               stress_factor = -time_step * 4. / (run.spacing * run.spacing);
-      const bool                 is_magnetic   = particles.magnetic_acceleration[0] != nullptr;
+      const ParticleArrays<dim> &particles = run.particles;
+      const double stress_factor           = -time_step * 4. / (run.spacing * run.spacing);
+      const bool is_magnetic               = particles.magnetic_acceleration[0] != nullptr;
       for (std::size_t p = run.begin; p < run.end; ++p)
         {
           const Matrix<dim> affine = load_matrix<dim>(particles.affine_velocity, p);
-          const Matrix<dim> stress = law.kirchhoff_stress(load_state<dim, Law>(particles, p), affine);
-          const double      mass   = particles.mass[p];
-          const Matrix<dim> slope =
-            mass * affine + (stress_factor * particles.volume[p]) * stress;
+          const Matrix<dim> stress = law.kirchhoff_stress(load_state<dim, Law>(particles, p),
+                                                          affine);
+          const double mass        = particles.mass[p];
+          const Matrix<dim> slope  = mass * affine + (stress_factor * particles.volume[p]) * stress;
 
           Lanes value = {};
           value[3]    = mass;
@@ -169,21 +170,22 @@ namespace magmpm
 
     template <int dim, typename Law>
     void
-    advance_particles(const Run<dim>   &run,
-                      const Law        &law,
-                      const double      time_step,
-                      const double     *arena,
+    advance_particles(const Run<dim> &run,
+                      const Law &law,
+                      const double time_step,
+                      const double *arena,
                       ParticleExtremes &extremes)
     {
       const ParticleArrays<dim> &particles = run.particles;
       const double affine_factor           = 4. / (run.spacing * run.spacing);
-      const auto   raise                   = [](double &largest, const double value) {
-        largest = (value <= largest ? largest :
-                                      (value > largest ? value : std::numeric_limits<double>::infinity()));
+      const auto raise                     = [](double &largest, const double value) {
+        largest = (value <= largest
+                                         ? largest
+                                         : (value > largest ? value : std::numeric_limits<double>::infinity()));
       };
       for (std::size_t p = run.begin; p < run.end; ++p)
         {
-          Lanes       moment[dim];
+          Lanes moment[dim];
           const Lanes velocity =
             gather_linear<dim>(run.stencils.at(particles, p), run.spacing, arena, moment);
           Matrix<dim> affine;
@@ -214,13 +216,13 @@ namespace magmpm
 
     template <int dim, typename Law>
     void
-    scatter_content(const Run<dim>           &run,
-                    const Law                &law,
+    scatter_content(const Run<dim> &run,
+                    const Law &law,
                     const MagneticParameters &magnetic,
-                    double                   *arena)
+                    double *arena)
     {
       const double per_cell = 1. / std::pow(run.spacing, dim);
-      const Lanes  content  = {0.,
+      const Lanes content   = {0.,
                                magnetic.saturation_magnetization,
                                magnetic.initial_susceptibility,
                                magnetic.number_density};
@@ -256,7 +258,10 @@ namespace magmpm
     /** The run of @p body in the block of @p slot. */
     template <int dim>
     Run<dim>
-    run_of(Body<dim> &body, const BlockSet<dim> &blocks, const Lattice<dim> &lattice, const int slot)
+    run_of(Body<dim> &body,
+           const BlockSet<dim> &blocks,
+           const Lattice<dim> &lattice,
+           const int slot)
     {
       return {body.particles.arrays(),
               body.run_begin[slot],
@@ -276,12 +281,12 @@ namespace magmpm
     template <int dim, typename Prepare, typename Function, typename Finish>
     void
     for_each_run(std::vector<Body<dim>> &bodies,
-                 const BlockSet<dim>    &blocks,
-                 const Lattice<dim>     &lattice,
-                 const bool              only_magnetic,
-                 const Prepare          &prepare,
-                 const Function         &f,
-                 const Finish           &finish)
+                 const BlockSet<dim> &blocks,
+                 const Lattice<dim> &lattice,
+                 const bool only_magnetic,
+                 const Prepare &prepare,
+                 const Function &f,
+                 const Finish &finish)
     {
       for (int slot = 0; slot < blocks.n_owned(); ++slot)
         {
@@ -305,10 +310,10 @@ namespace magmpm
   template <int dim>
   void
   particles_to_lattice(std::vector<Body<dim>> &bodies,
-                       const BlockSet<dim>    &blocks,
-                       const Lattice<dim>     &lattice,
-                       const double            time_step,
-                       NodeField<dim>         &field)
+                       const BlockSet<dim> &blocks,
+                       const Lattice<dim> &lattice,
+                       const double time_step,
+                       NodeField<dim> &field)
   {
     Arena<dim> arena;
     field.set_zero();
@@ -327,14 +332,14 @@ namespace magmpm
 
   template <int dim>
   std::vector<ParticleExtremes>
-  lattice_to_particles(const NodeField<dim>   &field,
-                       const BlockSet<dim>    &blocks,
-                       const Lattice<dim>     &lattice,
-                       const double            time_step,
+  lattice_to_particles(const NodeField<dim> &field,
+                       const BlockSet<dim> &blocks,
+                       const Lattice<dim> &lattice,
+                       const double time_step,
                        std::vector<Body<dim>> &bodies)
   {
     std::vector<ParticleExtremes> extremes(bodies.size());
-    Arena<dim>                    arena;
+    Arena<dim> arena;
     for_each_run(
       bodies,
       blocks,
@@ -355,9 +360,9 @@ namespace magmpm
   template <int dim>
   void
   magnetic_content_to_lattice(std::vector<Body<dim>> &bodies,
-                              const BlockSet<dim>    &blocks,
-                              const Lattice<dim>     &lattice,
-                              NodeField<dim>         &content)
+                              const BlockSet<dim> &blocks,
+                              const Lattice<dim> &lattice,
+                              NodeField<dim> &content)
   {
     Arena<dim> arena;
     content.set_zero();
@@ -377,10 +382,10 @@ namespace magmpm
 
   template <int dim>
   void
-  interpolate_to_particles(const NodeField<dim>   &field,
-                           const BlockSet<dim>    &blocks,
-                           const Lattice<dim>     &lattice,
-                           const ParticleProperty  quantity,
+  interpolate_to_particles(const NodeField<dim> &field,
+                           const BlockSet<dim> &blocks,
+                           const Lattice<dim> &lattice,
+                           const ParticleProperty quantity,
                            std::vector<Body<dim>> &bodies)
   {
     Arena<dim> arena;
@@ -399,15 +404,24 @@ namespace magmpm
       [](const int) {});
   }
 
-#define INSTANTIATE(dim)                                                                           \
-  template void particles_to_lattice<dim>(                                                         \
-    std::vector<Body<dim>> &, const BlockSet<dim> &, const Lattice<dim> &, double, NodeField<dim> &); \
-  template std::vector<ParticleExtremes> lattice_to_particles<dim>(                                \
-    const NodeField<dim> &, const BlockSet<dim> &, const Lattice<dim> &, double, std::vector<Body<dim>> &); \
-  template void magnetic_content_to_lattice<dim>(                                                  \
-    std::vector<Body<dim>> &, const BlockSet<dim> &, const Lattice<dim> &, NodeField<dim> &);      \
-  template void interpolate_to_particles<dim>(                                                     \
-    const NodeField<dim> &, const BlockSet<dim> &, const Lattice<dim> &, ParticleProperty, std::vector<Body<dim>> &);
+#define INSTANTIATE(dim)                                                                      \
+  template void particles_to_lattice<dim>(std::vector<Body<dim>> &,                           \
+                                          const BlockSet<dim> &,                              \
+                                          const Lattice<dim> &,                               \
+                                          double,                                             \
+                                          NodeField<dim> &);                                  \
+  template std::vector<ParticleExtremes> lattice_to_particles<dim>(const NodeField<dim> &,    \
+                                                                   const BlockSet<dim> &,     \
+                                                                   const Lattice<dim> &,      \
+                                                                   double,                    \
+                                                                   std::vector<Body<dim>> &); \
+  template void magnetic_content_to_lattice<dim>(                                             \
+    std::vector<Body<dim>> &, const BlockSet<dim> &, const Lattice<dim> &, NodeField<dim> &); \
+  template void interpolate_to_particles<dim>(const NodeField<dim> &,                         \
+                                              const BlockSet<dim> &,                          \
+                                              const Lattice<dim> &,                           \
+                                              ParticleProperty,                               \
+                                              std::vector<Body<dim>> &);
 
   INSTANTIATE(2)
   INSTANTIATE(3)

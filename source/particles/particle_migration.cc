@@ -8,13 +8,13 @@ namespace magmpm
 {
   template <int dim>
   std::size_t
-  migrate_particles(const MPI_Comm                   communicator,
+  migrate_particles(const MPI_Comm communicator,
                     const std::vector<unsigned int> &destination,
-                    ParticleSet<dim>                &particles)
+                    ParticleSet<dim> &particles)
   {
     const unsigned int rank = dealii::Utilities::MPI::this_mpi_process(communicator);
     std::map<unsigned int, std::vector<double>> leaving;
-    std::vector<std::uint32_t>                  staying;
+    std::vector<std::uint32_t> staying;
     staying.reserve(particles.size());
     for (std::size_t p = 0; p < particles.size(); ++p)
       if (destination[p] == rank)

@@ -11,6 +11,7 @@ namespace magmpm
                        1,
                        1,
                        is_magnetic ? dim : 0,
+                       is_magnetic ? dim : 0,
                        is_magnetic ? dim : 0}
   {
     int n = 0;

@@ -11,7 +11,7 @@ namespace magmpm
   occupied_blocks(const std::vector<Body<dim>> &bodies, const Lattice<dim> &lattice)
   {
     std::unordered_map<std::uint64_t, unsigned int> counts;
-    OccupiedBlocks<dim>                             occupied;
+    OccupiedBlocks<dim> occupied;
     for (const Body<dim> &body : bodies)
       for (std::size_t p = 0; p < body.particles.size(); ++p)
         {
@@ -30,16 +30,16 @@ namespace magmpm
   sort_into_blocks(const BlockSet<dim> &blocks, const Lattice<dim> &lattice, Body<dim> &body)
   {
     // Counting sort by slot and cell; places within a block are the 4^dim base nodes.
-    const std::size_t          n_particles = body.particles.size();
-    const std::size_t          n_slots     = blocks.n_owned();
-    constexpr std::size_t      n_places    = nodes_per_block<dim>;
+    const std::size_t n_particles  = body.particles.size();
+    const std::size_t n_slots      = blocks.n_owned();
+    constexpr std::size_t n_places = nodes_per_block<dim>;
     std::vector<std::uint32_t> key(n_particles), order(n_particles);
-    std::vector<std::size_t>   begin(n_slots * n_places + 1, 0);
+    std::vector<std::size_t> begin(n_slots * n_places + 1, 0);
     for (std::size_t p = 0; p < n_particles; ++p)
       {
         const Index<dim> node  = lattice.base_node(body.particles.position(p));
         const Index<dim> block = block_of<dim>(node);
-        const int        slot  = blocks.slot(block);
+        const int slot         = blocks.slot(block);
         assert(slot != invalid_slot && slot < blocks.n_owned());
         int place = 0;
         for (int d = dim - 1; d >= 0; --d)
@@ -61,13 +61,13 @@ namespace magmpm
   std::size_t
   remove_lost_particles(const Lattice<dim> &lattice, Body<dim> &body)
   {
-    const std::size_t          n_particles = body.particles.size();
+    const std::size_t n_particles = body.particles.size();
     std::vector<std::uint32_t> kept;
     kept.reserve(n_particles);
     for (std::size_t p = 0; p < n_particles; ++p)
       {
-        const Vector<dim> x      = lattice.reduced(body.particles.position(p));
-        bool              inside = true;
+        const Vector<dim> x = lattice.reduced(body.particles.position(p));
+        bool inside         = true;
         for (int d = 0; d < dim; ++d)
           inside = inside && x[d] >= -1. && x[d] <= lattice.n_cells[d] + 1.;
         if (inside)
@@ -78,9 +78,10 @@ namespace magmpm
     return n_particles - kept.size();
   }
 
-#define INSTANTIATE(dim)                                                                           \
-  template OccupiedBlocks<dim> occupied_blocks(const std::vector<Body<dim>> &, const Lattice<dim> &); \
-  template void sort_into_blocks(const BlockSet<dim> &, const Lattice<dim> &, Body<dim> &);        \
+#define INSTANTIATE(dim)                                                                    \
+  template OccupiedBlocks<dim> occupied_blocks(const std::vector<Body<dim>> &,              \
+                                               const Lattice<dim> &);                       \
+  template void sort_into_blocks(const BlockSet<dim> &, const Lattice<dim> &, Body<dim> &); \
   template std::size_t remove_lost_particles(const Lattice<dim> &, Body<dim> &);
 
   INSTANTIATE(2)

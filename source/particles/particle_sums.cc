@@ -24,9 +24,9 @@ namespace magmpm
     template <int dim>
     Vector<dim>
     diluted_magnetization(const MagneticParameters &magnetic,
-                          const MagnetizationLaw    law,
-                          const double              volume_ratio,
-                          const Vector<dim>        &field)
+                          const MagnetizationLaw law,
+                          const double volume_ratio,
+                          const Vector<dim> &field)
     {
       return magnetization(law,
                            MagneticContent{magnetic.saturation_magnetization / volume_ratio,
@@ -37,18 +37,18 @@ namespace magmpm
     template <int dim>
     void
     add_magnetics(const ParticleArrays<dim, const double> &particles,
-                  const MagneticParameters                &magnetic,
-                  const MagnetizationLaw                   law,
-                  const double                             volume_ratio,
-                  const std::size_t                        p,
-                  ParticleSums<dim>                       &sums)
+                  const MagneticParameters &magnetic,
+                  const MagnetizationLaw law,
+                  const double volume_ratio,
+                  const std::size_t p,
+                  ParticleSums<dim> &sums)
     {
-      const double      mass          = particles.mass[p];
-      const double      volume        = volume_ratio * particles.volume[p];
+      const double mass               = particles.mass[p];
+      const double volume             = volume_ratio * particles.volume[p];
       const Vector<dim> acceleration  = load_vector<dim>(particles.magnetic_acceleration, p);
       const Vector<dim> field         = load_vector<dim>(particles.magnetic_field, p);
       const Vector<dim> magnetization = diluted_magnetization(magnetic, law, volume_ratio, field);
-      const double      strength      = norm(magnetization);
+      const double strength           = norm(magnetization);
       sums.magnetic_force += mass * acceleration;
       sums.magnetic_moment += volume * magnetization;
       sums.max_field                 = std::max(sums.max_field, norm(field));
@@ -63,18 +63,18 @@ namespace magmpm
     template <int dim, typename Law>
     void
     add_mechanics(const ParticleArrays<dim, const double> &particles,
-                  const Law                               &law,
-                  const typename Law::State               &state,
-                  const double                             volume_ratio,
-                  const double                             affine_factor,
-                  const Vector<dim>                       &gravity,
-                  const std::size_t                        p,
-                  ParticleSums<dim>                       &sums)
+                  const Law &law,
+                  const typename Law::State &state,
+                  const double volume_ratio,
+                  const double affine_factor,
+                  const Vector<dim> &gravity,
+                  const std::size_t p,
+                  ParticleSums<dim> &sums)
     {
-      const double      mass     = particles.mass[p];
+      const double mass          = particles.mass[p];
       const Vector<dim> position = load_vector<dim>(particles.position, p);
       const Vector<dim> velocity = load_vector<dim>(particles.velocity, p);
-      const double      square   = norm_square(velocity);
+      const double square        = norm_square(velocity);
       sums.n_particles += 1.;
       sums.mass += mass;
       sums.kinetic_energy += 0.5 * mass * square;
@@ -83,8 +83,8 @@ namespace magmpm
       sums.momentum += mass * velocity;
       sums.mass_times_position += mass * position;
       sums.angular_momentum += mass * cross(position, velocity);
-      sums.angular_momentum +=
-        (mass * affine_factor) * curl(load_matrix<dim>(particles.affine_velocity, p));
+      sums.angular_momentum += (mass * affine_factor) *
+                               curl(load_matrix<dim>(particles.affine_velocity, p));
       sums.max_speed        = std::max(sums.max_speed, std::sqrt(square));
       sums.min_volume_ratio = std::min(sums.min_volume_ratio, volume_ratio);
       sums.max_volume_ratio = std::max(sums.max_volume_ratio, volume_ratio);
@@ -110,7 +110,8 @@ namespace magmpm
     max_volume_ratio          = std::max(max_volume_ratio, other.max_volume_ratio);
     max_field                 = std::max(max_field, other.max_field);
     max_magnetization         = std::max(max_magnetization, other.max_magnetization);
-    max_magnetic_acceleration = std::max(max_magnetic_acceleration, other.max_magnetic_acceleration);
+    max_magnetic_acceleration = std::max(max_magnetic_acceleration,
+                                         other.max_magnetic_acceleration);
     max_magnetic_wave_speed   = std::max(max_magnetic_wave_speed, other.max_magnetic_wave_speed);
     return *this;
   }
@@ -155,21 +156,21 @@ namespace magmpm
 
   template <int dim>
   ParticleSums<dim>
-  particle_sums(const Body<dim>       &body,
-                const Lattice<dim>    &lattice,
-                const Vector<dim>     &gravity,
+  particle_sums(const Body<dim> &body,
+                const Lattice<dim> &lattice,
+                const Vector<dim> &gravity,
                 const MagnetizationLaw magnetization_law)
   {
-    const auto        particles     = body.particles.arrays();
-    const double      affine_factor = 0.25 * lattice.spacing * lattice.spacing;
+    const auto particles       = body.particles.arrays();
+    const double affine_factor = 0.25 * lattice.spacing * lattice.spacing;
     ParticleSums<dim> sums;
     std::visit(
       [&](const auto &law) {
         using Law = std::decay_t<decltype(law)>;
         for (std::size_t p = 0; p < body.particles.size(); ++p)
           {
-            const typename Law::State state        = load_state<dim, Law>(particles, p);
-            const double              volume_ratio = law.volume_ratio(state);
+            const typename Law::State state = load_state<dim, Law>(particles, p);
+            const double volume_ratio       = law.volume_ratio(state);
             add_mechanics(particles, law, state, volume_ratio, affine_factor, gravity, p, sums);
             if (body.magnetic.is_magnetic())
               add_magnetics(particles, body.magnetic, magnetization_law, volume_ratio, p, sums);
@@ -179,11 +180,39 @@ namespace magmpm
     return sums;
   }
 
-#define INSTANTIATE(dim)                                                                           \
-  template struct ParticleSums<dim>;                                                               \
-  template ParticleSums<dim> particle_sums(const Body<dim> &, const Lattice<dim> &, const Vector<dim> &, MagnetizationLaw); \
-  template Vector<dim> particle_magnetization(const Body<dim> &, MagnetizationLaw, std::size_t);   \
-  template double particle_volume_ratio(const Body<dim> &, std::size_t);                           \
+  template <int dim>
+  void
+  remember_positions(Body<dim> &body)
+  {
+    if (body.magnetic.is_magnetic())
+      for (int d = 0; d < dim; ++d)
+        std::copy_n(body.particles.component(ParticleProperty::position, d),
+                    body.particles.size(),
+                    body.particles.component(ParticleProperty::position_at_solve, d));
+  }
+
+  template <int dim>
+  double
+  way_since_solve(const Body<dim> &body)
+  {
+    double longest_square = 0.;
+    if (body.magnetic.is_magnetic())
+      for (std::size_t p = 0; p < body.particles.size(); ++p)
+        longest_square =
+          std::max(longest_square,
+                   norm_square(body.particles.position(p) -
+                               body.particles.vector(ParticleProperty::position_at_solve, p)));
+    return std::sqrt(longest_square);
+  }
+
+#define INSTANTIATE(dim)                                                                         \
+  template struct ParticleSums<dim>;                                                             \
+  template ParticleSums<dim> particle_sums(                                                      \
+    const Body<dim> &, const Lattice<dim> &, const Vector<dim> &, MagnetizationLaw);             \
+  template Vector<dim> particle_magnetization(const Body<dim> &, MagnetizationLaw, std::size_t); \
+  template void remember_positions(Body<dim> &);                                                 \
+  template double way_since_solve(const Body<dim> &);                                            \
+  template double particle_volume_ratio(const Body<dim> &, std::size_t);                         \
   template double particle_von_mises_stress(const Body<dim> &, std::size_t);
 
   INSTANTIATE(2)

@@ -23,16 +23,16 @@ namespace magmpm
     template <int dim>
     struct Places
     {
-      double     spacing;
+      double spacing;
       Index<dim> first; ///< place in the lower corner of the bounding box
       Index<dim> count;
 
       Places(const BodyParameters<dim> &parameters, const Lattice<dim> &lattice)
         : spacing(lattice.spacing / parameters.particles_per_edge)
       {
-        const BoundingBox<dim> box   = bounding_box(parameters);
-        const Vector<dim>      lower = (1. / spacing) * (box.lower - lattice.lower_corner);
-        const Vector<dim>      upper = (1. / spacing) * (box.upper - lattice.lower_corner);
+        const BoundingBox<dim> box = bounding_box(parameters);
+        const Vector<dim> lower    = (1. / spacing) * (box.lower - lattice.lower_corner);
+        const Vector<dim> upper    = (1. / spacing) * (box.upper - lattice.lower_corner);
         for (int d = 0; d < dim; ++d)
           {
             first[d] = static_cast<int>(std::floor(lower[d] + 1e-6));
@@ -45,18 +45,20 @@ namespace magmpm
     template <int dim>
     void
     set_motion(const BodyParameters<dim> &parameters,
-               const Vector<dim>         &centre,
-               const std::size_t          p,
-               ParticleSet<dim>          &particles)
+               const Vector<dim> &centre,
+               const std::size_t p,
+               ParticleSet<dim> &particles)
     {
       const Vector<dim> r        = particles.position(p) - centre;
-      const Vector<dim> velocity = parameters.velocity + rotation_velocity<dim>(parameters.angular_velocity, r);
+      const Vector<dim> velocity = parameters.velocity +
+                                   rotation_velocity<dim>(parameters.angular_velocity, r);
       for (int d = 0; d < dim; ++d)
         {
           particles.component(ParticleProperty::velocity, d)[p] = velocity[d];
           Vector<dim> direction;
-          direction[d]              = 1.;
-          const Vector<dim> derivative = rotation_velocity<dim>(parameters.angular_velocity, direction);
+          direction[d]                 = 1.;
+          const Vector<dim> derivative = rotation_velocity<dim>(parameters.angular_velocity,
+                                                                direction);
           for (int c = 0; c < dim; ++c)
             particles.component(ParticleProperty::affine_velocity, dim * c + d)[p] = derivative[c];
         }
@@ -69,15 +71,15 @@ namespace magmpm
   {
     if (parameters.shape == Shape::box)
       return {parameters.lower_corner, parameters.upper_corner};
-    BoundingBox<dim> box = {parameters.centre, parameters.centre};
-    const double     axis_length = norm(parameters.axis);
+    BoundingBox<dim> box     = {parameters.centre, parameters.centre};
+    const double axis_length = norm(parameters.axis);
     for (int d = 0; d < dim; ++d)
       {
         double reach = parameters.radius;
         if (parameters.shape == Shape::cylinder)
           {
             const double cosine = parameters.axis[d] / axis_length;
-            reach = 0.5 * parameters.length * std::abs(cosine) +
+            reach               = 0.5 * parameters.length * std::abs(cosine) +
                     parameters.radius * std::sqrt(std::max(0., 1. - cosine * cosine));
           }
         box.lower[d] -= reach;
@@ -108,30 +110,32 @@ namespace magmpm
   template <int dim>
   void
   seed_particles(const BodyParameters<dim> &parameters,
-                 const Lattice<dim>        &lattice,
-                 const unsigned int         body_number,
-                 const unsigned int         rank,
-                 const unsigned int         n_ranks,
-                 Body<dim>                 &body)
+                 const Lattice<dim> &lattice,
+                 const unsigned int body_number,
+                 const unsigned int rank,
+                 const unsigned int n_ranks,
+                 Body<dim> &body)
   {
-    const Places<dim>      places(parameters, lattice);
-    const BoundingBox<dim> box    = bounding_box(parameters);
-    const Vector<dim>      centre = 0.5 * (box.lower + box.upper);
-    ParticleSet<dim>      &particles = body.particles;
+    const Places<dim> places(parameters, lattice);
+    const BoundingBox<dim> box  = bounding_box(parameters);
+    const Vector<dim> centre    = 0.5 * (box.lower + box.upper);
+    ParticleSet<dim> &particles = body.particles;
 
     const std::uint64_t row_length = static_cast<std::uint64_t>(places.count[0]);
-    std::uint64_t       n_rows     = 1;
+    std::uint64_t n_rows           = 1;
     for (int d = 1; d < dim; ++d)
       n_rows *= places.count[d];
     for (std::uint64_t row = n_rows * rank / n_ranks; row < n_rows * (rank + 1) / n_ranks; ++row)
       for (std::uint64_t i = 0; i < row_length; ++i)
         {
-          const std::uint64_t id = (static_cast<std::uint64_t>(body_number) << 40) + row * row_length + i;
-          Vector<dim>         position;
-          std::uint64_t       rest = row;
+          const std::uint64_t id = (static_cast<std::uint64_t>(body_number) << 40) +
+                                   row * row_length + i;
+          Vector<dim> position;
+          std::uint64_t rest = row;
           for (int d = 0; d < dim; ++d)
             {
-              const int place = places.first[d] + static_cast<int>(d == 0 ? i : rest % places.count[d]);
+              const int place = places.first[d] +
+                                static_cast<int>(d == 0 ? i : rest % places.count[d]);
               if (d > 0)
                 rest /= places.count[d];
               position[d] = lattice.lower_corner[d] + places.spacing * (place + 0.5);
@@ -146,7 +150,7 @@ namespace magmpm
             particles.component(ParticleProperty::position, d)[p] =
               position[d] + parameters.jitter * places.spacing * random_offset(dim * id + d);
           set_motion(parameters, centre, p, particles);
-          const double volume = std::pow(places.spacing, dim);
+          const double volume                                 = std::pow(places.spacing, dim);
           particles.component(ParticleProperty::volume, 0)[p] = volume;
           particles.component(ParticleProperty::mass, 0)[p]   = parameters.density * volume;
           // The undeformed state: the identity, or J = 1.
@@ -165,7 +169,17 @@ namespace magmpm
   template bool
   is_inside(const BodyParameters<3> &, const Vector<3> &);
   template void
-  seed_particles(const BodyParameters<2> &, const Lattice<2> &, unsigned int, unsigned int, unsigned int, Body<2> &);
+  seed_particles(const BodyParameters<2> &,
+                 const Lattice<2> &,
+                 unsigned int,
+                 unsigned int,
+                 unsigned int,
+                 Body<2> &);
   template void
-  seed_particles(const BodyParameters<3> &, const Lattice<3> &, unsigned int, unsigned int, unsigned int, Body<3> &);
+  seed_particles(const BodyParameters<3> &,
+                 const Lattice<3> &,
+                 unsigned int,
+                 unsigned int,
+                 unsigned int,
+                 Body<3> &);
 } // namespace magmpm

@@ -111,12 +111,12 @@ TEST_CASE("a statistics file that cannot be opened says which and why", "[io]")
 
 TEST_CASE("the columns of a scene have units of its dimension", "[io]")
 {
-  // Two bodies in 3D: 32 columns of the scene, 6 a body, one a phase. In 2D momenta and energies
+  // Two bodies in 3D: 33 columns of the scene, 6 a body, one a phase. In 2D momenta and energies
   // are per metre of depth, and there is one angular momentum.
   const auto columns_3d = statistics_columns<3>({"cube", "drop"}, {"P2G", "G2P"});
   const auto columns_2d = statistics_columns<2>({"cube", "drop"}, {"P2G", "G2P"});
-  CHECK(columns_3d.size() == 12 + 3 * 3 + 5 + 2 * 6 + 6 + 2);
-  CHECK(columns_2d.size() == 12 + 2 + 1 + 2 + 5 + 2 * 4 + 6 + 2);
+  CHECK(columns_3d.size() == 12 + 3 * 3 + 5 + 2 * 6 + 7 + 2);
+  CHECK(columns_2d.size() == 12 + 2 + 1 + 2 + 5 + 2 * 4 + 7 + 2);
 
   std::string headings;
   for (const StatisticsColumn &column : columns_2d)

@@ -3,8 +3,6 @@
 
 #include <magmpm/base/constants.h>
 
-#include <cstdio>
-
 using namespace magmpm;
 using namespace magmpm::test;
 
@@ -82,11 +80,10 @@ TEMPLATE_TEST_CASE_SIG("There is no net force in a uniform field",
   field[dim - 1] = 8e4;
   scene.problem.solve(scene.content, ExternalField<dim>({uniform_source<dim>(field)}));
   const Force<dim> force = force_on_nodes(scene, centre);
-  std::printf("net force %d: %g dropped %g of %g\n",
-              dim,
-              norm(force.total),
-              norm(force.dropped),
-              force.absolute);
+  print_once("uniform field, %dD: net force %.1e, dropped %.1e, of the sum of |f|",
+             dim,
+             norm(force.total) / force.absolute,
+             norm(force.dropped) / force.absolute);
   CHECK(norm(force.total) < 5e-4 * force.absolute);
   CHECK(norm(force.total + force.dropped) < 5e-4 * force.absolute);
 }
@@ -114,7 +111,7 @@ TEMPLATE_TEST_CASE_SIG("A small sphere is drawn like a dipole",
   const Vector<dim> exact  = (constants::vacuum_permeability * moment / norm(field)) *
                             (sources.field_gradient(centre) * field);
   const Force<dim> force = force_on_nodes(scene, centre);
-  std::printf("dipole %d: error %g of %g\n", dim, norm(force.total - exact) / norm(exact), norm(exact));
+  print_once("sphere of R = 4 dx as a dipole, %dD: error of the force %.1e", dim, norm(force.total - exact) / norm(exact));
   CHECK(norm(force.total - exact) < 0.02 * norm(exact));
 }
 
@@ -140,7 +137,7 @@ TEMPLATE_TEST_CASE_SIG("The force is the derivative of the energy",
       force[i]  = force_on_nodes(scene, centre).total[0];
     }
   const double work = 4. * spacing / 6. * (force[0] + 4. * force[1] + force[2]);
-  std::printf("energy %d: %g work %g\n", dim, energy[2] - energy[0], work);
+  print_once("%dD: energy lost %.6g, work of the force %.6g", dim, energy[0] - energy[2], work);
   CHECK(force[0] < 0.); // towards the magnet
   CHECK(energy[2] - energy[0] == Approx(-work).epsilon(5e-3));
 }
@@ -195,7 +192,7 @@ TEMPLATE_TEST_CASE_SIG("An oblique spheroid turns into the field",
                                      4. / 3. * constants::pi * long_axis * short_axis * short_axis);
   const double exact = -0.5 * constants::vacuum_permeability * volume * strength * strength *
                        (chi / (1. + n_long * chi) - chi / (1. + n_short * chi));
-  std::printf("torque %d: %g of moment %g exact %g\n", dim, torque, of_moment, exact);
+  print_once("torque on a spheroid, %dD: %.6g, mu_0 m x H_0 %.6g, of the exact m %.6g", dim, torque, of_moment, exact);
   CHECK(torque < 0.); // clockwise, into the field
   CHECK(torque == Approx(exact).epsilon(0.2));
 }

@@ -8,6 +8,7 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/timer.h>
 
+#include <cstdio>
 #include <functional>
 #include <string>
 #include <unordered_map>
@@ -260,6 +261,18 @@ namespace magmpm::test
         lanes[2] += weight * sample.material.initial_susceptibility;
         lanes[3] += weight;
         mass.node(other, number)[n_lanes - 1] += weight * std::pow(lattice.spacing, dim);
+      }
+  }
+
+  /** Prints a line of figures, once. */
+  template <typename... Numbers>
+  void
+  print_once(const char *format, const Numbers... numbers)
+  {
+    if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+      {
+        std::printf(format, numbers...);
+        std::printf("\n");
       }
   }
 

@@ -3,8 +3,6 @@
 
 #include <magmpm/base/constants.h>
 
-#include <cstdio>
-
 using namespace magmpm;
 using namespace magmpm::test;
 
@@ -118,7 +116,7 @@ TEMPLATE_TEST_CASE_SIG("The field in a magnetized sphere is right",
       const SphereInField<dim> test(32, 8., grains(0.91), outer_field, with_law<dim>(law));
       const double             error =
         test.inner_field() / exact_field<dim>(law, grains(0.91), outer_field) - 1.;
-      std::printf("error %d %g\n", dim, error);
+      print_once("field in a %s, R = 8 dx, %dD: error %.2e", law == MagnetizationLaw::linear ? "linear sphere" : "Langevin sphere", dim, error);
       CHECK(error > 0.);
       CHECK(error < (law == MagnetizationLaw::langevin ? 0.007 : 0.0135));
     }
@@ -134,7 +132,7 @@ TEMPLATE_TEST_CASE_SIG("The moment of a sphere converges", "[magnetics]", ((int 
     return test.relative_moment(0.91) - 1.;
   };
   const double coarse = excess(4.), fine = excess(8.);
-  std::printf("moment %d %g %g\n", dim, coarse * 4, fine * 8);
+  print_once("moment of a linear sphere, %dD: error %.2e (R = 4 dx), %.2e (8 dx)", dim, coarse, fine);
   CHECK(fine > 0.);
   CHECK(coarse / fine == Approx(2.).epsilon(0.1));
   CHECK(8. * fine == Approx(0.35).epsilon(0.1));
@@ -150,14 +148,15 @@ TEST_CASE("Large susceptibilities converge", "[magnetics]")
         32, 8., grains(chi), 1e5, with_law<3>(MagnetizationLaw::linear));
       const SphereInField<3> saturated(
         32, 8., grains(chi), 9e5, with_law<3>(MagnetizationLaw::langevin));
-      std::printf("chi %g: linear CG %d, saturated Newton %d, line search %d, CG %d, M %g %g\n",
-                  chi,
-                  linear.report.newton.linear_iterations,
-                  saturated.report.newton.steps,
-                  saturated.report.newton.line_search_steps,
-                  saturated.report.newton.linear_iterations,
-                  linear.relative_moment(chi),
-                  linear.inner_field() / exact_field<3>(MagnetizationLaw::linear, grains(chi), 1e5));
+      print_once("chi_0 = %g: linear CG %d, error of H %.2f, of the moment %.2f; saturated Newton %d, line "
+                 "search %d, CG %d",
+                 chi,
+                 linear.report.newton.linear_iterations,
+                 linear.inner_field() / exact_field<3>(MagnetizationLaw::linear, grains(chi), 1e5) - 1.,
+                 linear.relative_moment(chi) - 1.,
+                 saturated.report.newton.steps,
+                 saturated.report.newton.line_search_steps,
+                 saturated.report.newton.linear_iterations);
       CHECK(linear.report.newton.steps == 1);
       CHECK(linear.report.newton.linear_iterations <= 20);
       CHECK(linear.inner_field() < 1.6 * 1e5 / (1. + chi / 3.));
@@ -178,7 +177,7 @@ TEMPLATE_TEST_CASE_SIG("Open faces are far away", "[magnetics][mpi]", ((int dim)
     return test.report.energy;
   };
   const double far = energy(8., false), near = energy(2., false), shielded = energy(2., true);
-  std::printf("open %d %g shielded %g\n", dim, near / far - 1., shielded / far - 1.);
+  print_once("box of 3 radii, %dD: energy changes by %.1e (open), %.1e (shielded)", dim, near / far - 1., shielded / far - 1.);
   CHECK(near == Approx(far).epsilon(dim == 2 ? 5e-4 : 1e-4));
   CHECK(std::abs(shielded / far - 1.) > 5e-3);
 }
@@ -238,7 +237,7 @@ TEMPLATE_TEST_CASE_SIG("Shielded faces are mirrors", "[magnetics][mpi]", ((int d
   lowest             = dealii::Utilities::MPI::min(lowest, MPI_COMM_WORLD);
   highest            = dealii::Utilities::MPI::max(highest, MPI_COMM_WORLD);
   const double exact = 1e5 / (dim == 2 ? 2. : 1.5);
-  std::printf("mirror %d H/exact %g %g\n", dim, lowest / exact, highest / exact);
+  print_once("from mirror to mirror, %dD: error of H from %.1e to %.1e", dim, lowest / exact - 1., highest / exact - 1.);
   CHECK(lowest == Approx(exact).epsilon(dim == 2 ? 1e-3 : 0.02));
   CHECK(highest == Approx(exact).epsilon(dim == 2 ? 1e-3 : 0.02));
 }

@@ -20,11 +20,11 @@ namespace magmpm
   };
 
   /**
-   * Writes the particles of a frame for ParaView: one file `particles/particles_<frame>.0.vtu` of all
-   * ranks together, a .pvtu beside it, and `particles.pvd`, which lists the frames so far and is what
-   * a user opens. Every particle is a vertex cell; quantities are called "name [unit]" and stored in
-   * single precision; a vector has three components in 2D too (the third is zero), so that ParaView
-   * takes it for one.
+   * Writes the particles of a frame for ParaView: one file `particles/particles_<frame>.0.vtu` of
+   * all ranks together, a .pvtu beside it, and `particles.pvd`, which lists the frames so far and
+   * is what a user opens. Every particle is a vertex cell; quantities are called "name [unit]" and
+   * stored in single precision; a vector has three components in 2D too (the third is zero), so
+   * that ParaView takes it for one.
    */
   template <int dim>
   class ParticleOutput

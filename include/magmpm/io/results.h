@@ -36,16 +36,16 @@ namespace magmpm
   /** Where a run is, and what its last step and solve did. */
   struct RunState
   {
-    double       time  = 0.; ///< [s]
+    double time        = 0.; ///< [s]
     unsigned int step  = 0;
     unsigned int frame = 0;
 
-    double      time_step = 0.; ///< of the last step [s]
-    std::string limit     = "none";
+    double time_step  = 0.; ///< of the last step [s]
+    std::string limit = "none";
 
     /** The same of the last step that was not cut short to meet a frame. */
-    double      full_time_step = 0.;
-    std::string full_limit     = "none";
+    double full_time_step  = 0.;
+    std::string full_limit = "none";
 
     std::size_t lost_particles     = 0; ///< so far, all ranks
     std::size_t migrated_particles = 0; ///< so far, all ranks
@@ -54,11 +54,11 @@ namespace magmpm
 
     unsigned int n_solves           = 0; ///< of the potential, so far
     unsigned int step_of_last_solve = 0;
-    bool         solved_this_step   = false;
-    SolveReport  last_solve;
+    bool solved_this_step           = false;
+    SolveReport last_solve;
 
     /** The force at the last solve that fell on no mass and reaches no particle [N]. */
-    double lost_magnetic_force = 0.;
+    double dropped_magnetic_force = 0.;
   };
 
   /**
@@ -75,9 +75,9 @@ namespace magmpm
      * @param phases  timer sections that are columns of the statistics.
      * @throw RunError if the folder or a file cannot be made.
      */
-    Results(const Parameters<dim>          &parameters,
+    Results(const Parameters<dim> &parameters,
             const std::vector<std::string> &phases,
-            const MPI_Comm                  communicator);
+            const MPI_Comm communicator);
     ~Results();
 
     RunLog &
@@ -88,7 +88,8 @@ namespace magmpm
 
     /** The first lines of the log. */
     void
-    write_header(const std::vector<Body<dim>> &bodies, const unsigned long long n_potential_unknowns);
+    write_header(const std::vector<Body<dim>> &bodies,
+                 const unsigned long long n_potential_unknowns);
 
     /** particles.pvd, if the scene wants it. */
     void
@@ -103,11 +104,11 @@ namespace magmpm
 
     /** fields.pvd; only if writes_fields(). For the arguments see FieldOutput::write_frame(). */
     void
-    write_fields(const RunState              &state,
+    write_fields(const RunState &state,
                  const PotentialProblem<dim> &potential,
-                 const BlockPartition<dim>   &partition,
-                 const NodeField<dim>        &content,
-                 const ExternalField<dim>    &sources);
+                 const BlockPartition<dim> &partition,
+                 const NodeField<dim> &content,
+                 const ExternalField<dim> &sources);
 
     /** The line of a frame on the terminal. */
     void
@@ -121,26 +122,26 @@ namespace magmpm
      * @param seconds                 of each phase so far, on this rank.
      */
     void
-    write_statistics(const RunState                       &state,
+    write_statistics(const RunState &state,
                      const std::vector<ParticleSums<dim>> &sums,
-                     const double                          fewest_particles,
-                     const std::map<std::string, double>  &seconds);
+                     const double fewest_particles,
+                     const std::map<std::string, double> &seconds);
 
     /** Makes sure that what was written survives an early end. */
     void
     flush();
 
   private:
-    const Parameters<dim>          parameters;
-    const MPI_Comm                 communicator;
+    const Parameters<dim> parameters;
+    const MPI_Comm communicator;
     const std::vector<std::string> phases;
 
-    RunLog                            run_log;
-    StatisticsFile                    statistics;
-    ParticleOutput<dim>               particle_output;
+    RunLog run_log;
+    StatisticsFile statistics;
+    ParticleOutput<dim> particle_output;
     std::unique_ptr<FieldOutput<dim>> field_output; ///< null without magnetic material
 
-    std::map<std::string, double> seconds_before;     ///< the last row, by phase
-    unsigned int                  solves_before = 0;  ///< the last line of the log
+    std::map<std::string, double> seconds_before; ///< the last row, by phase
+    unsigned int solves_before = 0;               ///< the last line of the log
   };
 } // namespace magmpm

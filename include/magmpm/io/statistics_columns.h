@@ -9,8 +9,9 @@ namespace magmpm
 {
   /**
    * The columns of statistics.csv for a scene, in their order. doc/statistics.md says what each one
-   * means; a test holds that it names them all. They are the same for every scene of a dimension but
-   * for the bodies and phases: a scene without magnetic material has zeros in the magnetic columns.
+   * means; a test holds that it names them all. They are the same for every scene of a dimension
+   * but for the bodies and phases: a scene without magnetic material has zeros in the magnetic
+   * columns.
    *
    * Vectors are columns "name x", ... (StatisticsFile::set of a Vector); what belongs to a body is
    * "body: name" (body_column()), the seconds of a phase "wall time: phase" (phase_column()). In 2D

@@ -25,7 +25,7 @@ namespace magmpm
     }
   };
 
-  /** The letter of component @p component of a vector of @p n: x, y, z; z for an axial one in 2D. */
+  /** The letter of a component of a vector of @p n: x, y, z; z for an axial vector in 2D. */
   inline char
   component_letter(const int component, const int n)
   {

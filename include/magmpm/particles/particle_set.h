@@ -19,10 +19,11 @@ namespace magmpm
     mass,
     volume, ///< undeformed
     magnetic_acceleration,
-    magnetic_field ///< H at the last solve
+    magnetic_field,   ///< H at the last solve
+    position_at_solve ///< of the potential
   };
 
-  inline constexpr int n_particle_properties = 8;
+  inline constexpr int n_particle_properties = 9;
 
   /** Name and unit of each quantity, in the order of ParticleProperty. */
   struct ParticlePropertyInfo
@@ -31,15 +32,16 @@ namespace magmpm
     const char *unit;
   };
 
-  inline constexpr std::array<ParticlePropertyInfo, n_particle_properties> particle_property_info = {
-    {{"position", "m"},
-     {"velocity", "m/s"},
-     {"affine velocity", "1/s"},
-     {"deformation", "-"},
-     {"mass", "kg"},
-     {"volume", "m^3"},
-     {"magnetic acceleration", "m/s^2"},
-     {"magnetic field", "A/m"}}};
+  inline constexpr std::array<ParticlePropertyInfo, n_particle_properties> particle_property_info =
+    {{{"position", "m"},
+      {"velocity", "m/s"},
+      {"affine velocity", "1/s"},
+      {"deformation", "-"},
+      {"mass", "kg"},
+      {"volume", "m^3"},
+      {"magnetic acceleration", "m/s^2"},
+      {"magnetic field", "A/m"},
+      {"position at solve", "m"}}};
 
   /**
    * The arrays of a particle set as the kernels see them: one pointer per component.
@@ -155,8 +157,8 @@ namespace magmpm
   private:
     std::array<int, n_particle_properties> component_counts;
     std::array<int, n_particle_properties> first_component;
-    std::vector<std::vector<double>>       components;
-    std::vector<std::uint64_t>             identities;
-    std::vector<double>                    reordered; ///< memory of reorder()
+    std::vector<std::vector<double>> components;
+    std::vector<std::uint64_t> identities;
+    std::vector<double> reordered; ///< memory of reorder()
   };
 } // namespace magmpm

@@ -61,7 +61,7 @@ namespace magmpm
   inline void
   store_state(const typename Law::State &state,
               const ParticleArrays<dim> &particles,
-              const std::size_t          p)
+              const std::size_t p)
   {
     if constexpr (Law::stores_deformation_gradient)
       store_matrix<dim>(state, particles.deformation, p);

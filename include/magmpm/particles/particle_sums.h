@@ -12,13 +12,13 @@ namespace magmpm
   template <int dim>
   struct ParticleSums
   {
-    double      n_particles          = 0.;
-    double      mass                 = 0.; ///< [kg]
-    double      kinetic_energy       = 0.; ///< sum of m |v|^2/2 [J]
-    double      elastic_energy       = 0.; ///< sum of V_0 psi [J]
-    double      gravitational_energy = 0.; ///< -sum of m g.x [J]
-    Vector<dim> momentum;                  ///< [kg m/s]
-    Vector<dim> mass_times_position;       ///< [kg m]
+    double n_particles          = 0.;
+    double mass                 = 0.; ///< [kg]
+    double kinetic_energy       = 0.; ///< sum of m |v|^2/2 [J]
+    double elastic_energy       = 0.; ///< sum of V_0 psi [J]
+    double gravitational_energy = 0.; ///< -sum of m g.x [J]
+    Vector<dim> momentum;             ///< [kg m/s]
+    Vector<dim> mass_times_position;  ///< [kg m]
 
     /** About the origin, with the part of the affine velocities: m dx^2/4 times their curl [J s]. */
     Vector<n_axial_components<dim>> angular_momentum;
@@ -47,16 +47,26 @@ namespace magmpm
     {
       double *values = reinterpret_cast<double *>(this);
       for (std::size_t i = 0; i < sizeof(*this) / sizeof(double); ++i)
-        archive & values[i];
+        archive &values[i];
     }
   };
 
   template <int dim>
   ParticleSums<dim>
-  particle_sums(const Body<dim>       &body,
-                const Lattice<dim>    &lattice,
-                const Vector<dim>     &gravity,
+  particle_sums(const Body<dim> &body,
+                const Lattice<dim> &lattice,
+                const Vector<dim> &gravity,
                 const MagnetizationLaw law);
+
+  /** Keeps the positions of a magnetic body's particles, for way_since_solve(). */
+  template <int dim>
+  void
+  remember_positions(Body<dim> &body);
+
+  /** How far a particle of a magnetic body is from where it was remembered, at most [m]. */
+  template <int dim>
+  double
+  way_since_solve(const Body<dim> &body);
 
   /** M [A/m] of a particle in the field H of the last solve: its grains in its present volume. */
   template <int dim>
