@@ -25,15 +25,15 @@ namespace magmpm
     template <int dim>
     struct NodeValues
     {
-      double      potential;
-      double      number_density;
+      double potential;
+      double number_density;
       Vector<dim> self_field, field, magnetization;
     };
 
     struct Quantity
     {
       std::string name, unit;
-      bool        is_vector;
+      bool is_vector;
     };
 
     const std::vector<Quantity> &
@@ -93,9 +93,8 @@ namespace magmpm
         : space(space)
       {
         for (PotentialVector &sum : sums)
-          sum.reinit(space.dof_handler.locally_owned_dofs(),
-                     space.relevant_dofs,
-                     space.mesh.communicator());
+          sum.reinit(
+            space.dof_handler.locally_owned_dofs(), space.relevant_dofs, space.mesh.communicator());
         count.reinit(sums[0]);
       }
 
@@ -133,9 +132,9 @@ namespace magmpm
       }
 
     private:
-      const PotentialSpace<dim>                  &space;
+      const PotentialSpace<dim> &space;
       std::array<PotentialVector, n_components> sums;
-      PotentialVector                            count;
+      PotentialVector count;
     };
 
     /** What is known at the nodes of the mesh: potential, its mean gradient, and the content. */
@@ -144,10 +143,10 @@ namespace magmpm
     {
     public:
       NodalFields(const PotentialSolution<dim> &solution,
-                  const BlockSet<dim>          &blocks,
-                  const NodeField<dim>         &content,
-                  const ExternalField<dim>     &sources,
-                  const MagnetizationLaw        law)
+                  const BlockSet<dim> &blocks,
+                  const NodeField<dim> &content,
+                  const ExternalField<dim> &sources,
+                  const MagnetizationLaw law)
         : space(*solution.space)
         , blocks(blocks)
         , content(content)
@@ -196,7 +195,7 @@ namespace magmpm
         values.field = values.self_field + sources.field(position);
 
         const std::array<double, 3> lanes = magnetic_content(dof);
-        MagneticContent             material;
+        MagneticContent material;
         material.saturation_magnetization = lanes[0];
         material.initial_susceptibility   = lanes[1];
         values.number_density             = lanes[2];
@@ -205,16 +204,16 @@ namespace magmpm
       }
 
     private:
-      const PotentialSpace<dim>      &space;
-      const BlockSet<dim>            &blocks;
-      const NodeField<dim>           &content;
-      const ExternalField<dim>       &sources;
-      const MagnetizationLaw          law;
+      const PotentialSpace<dim> &space;
+      const BlockSet<dim> &blocks;
+      const NodeField<dim> &content;
+      const ExternalField<dim> &sources;
+      const MagnetizationLaw law;
       const std::vector<unsigned int> lexicographic;
 
-      PotentialVector     potential;
+      PotentialVector potential;
       NodalMean<dim, dim> self_field;
-      NodalMean<dim, 3>   magnetic_content; ///< densities of M_s, chi_0 and grains
+      NodalMean<dim, 3> magnetic_content; ///< densities of M_s, chi_0 and grains
 
       void
       add_self_field(const Dofs &dofs, const double edge)
@@ -238,7 +237,7 @@ namespace magmpm
       add_content(const Dofs &dofs, const Index<dim> &lower_node)
       {
         const Index<dim> block = block_of<dim>(lower_node);
-        const int        slot  = blocks.slot(block);
+        const int slot         = blocks.slot(block);
         if (slot == invalid_slot || slot >= blocks.n_owned())
           return;
         Index<dim> corner;
@@ -253,7 +252,7 @@ namespace magmpm
             for (int neighbour = 0; neighbour < n_neighbours<dim>; ++neighbour)
               {
                 double weight = 1.;
-                int    number = 0;
+                int number    = 0;
                 for (int d = 0; d < dim; ++d)
                   {
                     weight *= bspline_at_node[place(neighbour, d)];
@@ -272,8 +271,8 @@ namespace magmpm
     class FieldPatches : public dealii::DataOutInterface<dim>
     {
     public:
-      FieldPatches(const PotentialSpace<dim>      &space,
-                   const NodalFields<dim>         &fields,
+      FieldPatches(const PotentialSpace<dim> &space,
+                   const NodalFields<dim> &fields,
                    const std::vector<std::string> &selection);
 
     private:
@@ -306,21 +305,21 @@ namespace magmpm
       void
       add_patch(const Cell &cell, const NodalFields<dim> &fields);
 
-      std::vector<Quantity>       quantities;
-      std::vector<Patch>          patches;
-      std::vector<std::string>    dataset_names; ///< one for each component
+      std::vector<Quantity> quantities;
+      std::vector<Patch> patches;
+      std::vector<std::string> dataset_names; ///< one for each component
       std::vector<NonscalarRange> nonscalar_ranges;
     };
 
     template <int dim>
-    FieldPatches<dim>::FieldPatches(const PotentialSpace<dim>      &space,
-                                    const NodalFields<dim>         &fields,
+    FieldPatches<dim>::FieldPatches(const PotentialSpace<dim> &space,
+                                    const NodalFields<dim> &fields,
                                     const std::vector<std::string> &selection)
     {
       for (const Quantity &quantity : all_quantities())
         if (std::count(selection.begin(), selection.end(), quantity.name) > 0)
           {
-            const std::string  name  = quantity.name + " [" + quantity.unit + "]";
+            const std::string name   = quantity.name + " [" + quantity.unit + "]";
             const unsigned int first = dataset_names.size();
             if (quantity.is_vector)
               nonscalar_ranges.emplace_back(
@@ -349,7 +348,7 @@ namespace magmpm
       for (const unsigned int v : cell->vertex_indices())
         patch.vertices[v] = cell->vertex(v);
 
-      const auto   dofs = fields.dofs_of(cell);
+      const auto dofs   = fields.dofs_of(cell);
       const double edge = cell->extent_in_direction(0);
       patch.data.reinit(dataset_names.size(), n_cell_nodes<dim>);
       for (int node = 0; node < n_cell_nodes<dim>; ++node)
@@ -386,10 +385,10 @@ namespace magmpm
   }
 
   template <int dim>
-  FieldOutput<dim>::FieldOutput(const MPI_Comm                  communicator,
-                                const std::string              &directory,
+  FieldOutput<dim>::FieldOutput(const MPI_Comm communicator,
+                                const std::string &directory,
                                 const std::vector<std::string> &quantities,
-                                const MagnetizationLaw          law)
+                                const MagnetizationLaw law)
     : communicator(communicator)
     , directory(directory)
     , quantities(quantities)
@@ -401,11 +400,12 @@ namespace magmpm
       allowed += (allowed.empty() ? "" : ", ") + name;
     for (const std::string &name : quantities)
       if (std::count(quantity_names().begin(), quantity_names().end(), name) == 0)
-        throw InputError("The field quantity '" + name + "' is unknown. Allowed are: " + allowed + ".");
+        throw InputError("The field quantity '" + name + "' is unknown. Allowed are: " + allowed +
+                         ".");
 
     // All ranks learn of a failure: one that threw alone would leave the others waiting.
-    const std::filesystem::path folder  = std::filesystem::path(directory) / subfolder;
-    int                         is_made = 1;
+    const std::filesystem::path folder = std::filesystem::path(directory) / subfolder;
+    int is_made                        = 1;
     if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
       {
         std::error_code error;
@@ -419,16 +419,16 @@ namespace magmpm
 
   template <int dim>
   void
-  FieldOutput<dim>::write_frame(const unsigned int           frame,
-                                const double                 time,
+  FieldOutput<dim>::write_frame(const unsigned int frame,
+                                const double time,
                                 const PotentialProblem<dim> &potential,
-                                const BlockPartition<dim>   &partition,
-                                const NodeField<dim>        &content,
-                                const ExternalField<dim>    &sources)
+                                const BlockPartition<dim> &partition,
+                                const NodeField<dim> &content,
+                                const ExternalField<dim> &sources)
   {
     const PotentialSolution<dim> &solution = potential.solution();
-    const NodalFields<dim>        fields(solution, partition.blocks(), content, sources, law);
-    FieldPatches<dim>             output(*solution.space, fields, quantities);
+    const NodalFields<dim> fields(solution, partition.blocks(), content, sources, law);
+    FieldPatches<dim> output(*solution.space, fields, quantities);
 
     // best_compression, deal.II's default, takes several times as long for a few percent of space.
     dealii::DataOutBase::VtkFlags flags;
@@ -440,7 +440,7 @@ namespace magmpm
 
     const unsigned int n_digits = 4;
     const unsigned int n_groups = 1; // one file a frame, whatever the number of ranks
-    const std::string  pvtu     = output.write_vtu_with_pvtu_record(
+    const std::string pvtu      = output.write_vtu_with_pvtu_record(
       directory + "/" + subfolder + "/", subfolder, frame, communicator, n_digits, n_groups);
     if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
       record.add(time, subfolder + "/" + pvtu);

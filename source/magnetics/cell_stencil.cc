@@ -18,10 +18,10 @@ namespace magmpm
     template <int n_in, int n_out, typename Matrix1D>
     void
     contract(const Matrix1D &matrix,
-             const double   *in,
-             const int       n_inner,
-             const int       n_outer,
-             double         *out)
+             const double *in,
+             const int n_inner,
+             const int n_outer,
+             double *out)
     {
       for (int outer = 0; outer < n_outer; ++outer, in += n_in * n_inner, out += n_out * n_inner)
         for (int o = 0; o < n_out; ++o)
@@ -44,18 +44,18 @@ namespace magmpm
     {
       // Sizes shrink and grow axis by axis; the largest intermediate array is that of the nodes.
       StencilValues<dim> buffer[2];
-      const double      *in      = values.data();
-      int                n_inner = n_lanes;
+      const double *in = values.data();
+      int n_inner      = n_lanes;
       for (int axis = 0; axis < dim; ++axis)
         {
-          double   *out     = buffer[axis % 2].data();
+          double *out       = buffer[axis % 2].data();
           const int n_outer = power(n_points_1d, dim - 1 - axis);
-          contract<n_points_1d, stencil_edge>([&](const int node,
-                                                  const int point) { return matrix(axis, point, node); },
-                                              in,
-                                              n_inner,
-                                              n_outer,
-                                              out);
+          contract<n_points_1d, stencil_edge>(
+            [&](const int node, const int point) { return matrix(axis, point, node); },
+            in,
+            n_inner,
+            n_outer,
+            out);
           in = out;
           n_inner *= stencil_edge;
         }
@@ -69,7 +69,8 @@ namespace magmpm
     {1. - gauss_distance, 1., 1. + gauss_distance}};
 
   template <int dim>
-  const std::array<double, n_points_1d> CellStencil<dim>::weights_1d = {{5. / 9., 8. / 9., 5. / 9.}};
+  const std::array<double, n_points_1d> CellStencil<dim>::weights_1d = {
+    {5. / 9., 8. / 9., 5. / 9.}};
 
   template <int dim>
   CellStencil<dim>::CellStencil()
@@ -79,7 +80,7 @@ namespace magmpm
     for (int q = 0; q < n_points_1d; ++q)
       {
         const int base = static_cast<int>(std::floor(points_1d[q] - 0.5));
-        double    weights[stencil_width], derivatives[stencil_width];
+        double weights[stencil_width], derivatives[stencil_width];
         quadratic_bspline(points_1d[q] - base, weights);
         quadratic_bspline_derivative(points_1d[q] - base, derivatives);
         for (int i = 0; i < stencil_width; ++i)
@@ -93,7 +94,7 @@ namespace magmpm
       for (int i = 0; i < n_stencil_nodes<dim>; ++i)
         {
           Place place = {0, 0};
-          int   rest  = i;
+          int rest    = i;
           for (int d = 0; d < dim; ++d, rest /= stencil_edge)
             {
               const int node = 2 * ((position >> d) & 1) - 1 + rest % stencil_edge; // -1 .. 5
@@ -117,13 +118,13 @@ namespace magmpm
   template <int dim>
   void
   CellStencil<dim>::gather(const NodeField<dim> &field,
-                           const BlockSet<dim>  &blocks,
-                           const int             slot,
-                           const Index<dim>     &corner,
-                           StencilValues<dim>   &values) const
+                           const BlockSet<dim> &blocks,
+                           const int slot,
+                           const Index<dim> &corner,
+                           StencilValues<dim> &values) const
   {
-    const auto   &neighbours = blocks.neighbours(slot);
-    const Places &nodes      = places[position_in_block(corner)];
+    const auto &neighbours = blocks.neighbours(slot);
+    const Places &nodes    = places[position_in_block(corner)];
     for (int i = 0; i < n_stencil_nodes<dim>; ++i)
       {
         const int other = neighbours[nodes[i].neighbour];
@@ -137,13 +138,13 @@ namespace magmpm
   template <int dim>
   void
   CellStencil<dim>::scatter_add(const StencilValues<dim> &values,
-                                const BlockSet<dim>      &blocks,
-                                const int                 slot,
-                                const Index<dim>         &corner,
-                                NodeField<dim>           &field) const
+                                const BlockSet<dim> &blocks,
+                                const int slot,
+                                const Index<dim> &corner,
+                                NodeField<dim> &field) const
   {
-    const auto   &neighbours = blocks.neighbours(slot);
-    const Places &nodes      = places[position_in_block(corner)];
+    const auto &neighbours = blocks.neighbours(slot);
+    const Places &nodes    = places[position_in_block(corner)];
     for (int i = 0; i < n_stencil_nodes<dim>; ++i)
       {
         const int other = neighbours[nodes[i].neighbour];
@@ -160,18 +161,18 @@ namespace magmpm
   CellStencil<dim>::interpolate(const StencilValues<dim> &values, PointValues<dim> &result) const
   {
     StencilValues<dim> buffer[2];
-    const double      *in      = values.data();
-    int                n_inner = n_lanes;
+    const double *in = values.data();
+    int n_inner      = n_lanes;
     for (int axis = 0; axis < dim; ++axis)
       {
-        double   *out     = (axis == dim - 1 ? result.data() : buffer[axis % 2].data());
+        double *out       = (axis == dim - 1 ? result.data() : buffer[axis % 2].data());
         const int n_outer = power(stencil_edge, dim - 1 - axis);
-        contract<stencil_edge, n_points_1d>([this](const int point,
-                                                   const int node) { return value_matrix[point][node]; },
-                                            in,
-                                            n_inner,
-                                            n_outer,
-                                            out);
+        contract<stencil_edge, n_points_1d>(
+          [this](const int point, const int node) { return value_matrix[point][node]; },
+          in,
+          n_inner,
+          n_outer,
+          out);
         in = out;
         n_inner *= n_points_1d;
       }
@@ -190,8 +191,8 @@ namespace magmpm
   template <int dim>
   void
   CellStencil<dim>::add_tested_by_derivative(const PointValues<dim> &values,
-                                             const int               derivative_axis,
-                                             StencilValues<dim>     &result) const
+                                             const int derivative_axis,
+                                             StencilValues<dim> &result) const
   {
     add_transposed<dim>(
       values,

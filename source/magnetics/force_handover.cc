@@ -23,9 +23,9 @@ namespace magmpm
     template <int dim, typename Action>
     void
     for_neighbour_nodes(const BlockSet<dim> &blocks,
-                        const int            slot,
-                        const int            node,
-                        const Action        &action)
+                        const int slot,
+                        const int node,
+                        const Action &action)
     {
       for (int n = 0; n < n_neighbours<dim>; ++n)
         {
@@ -54,7 +54,7 @@ namespace magmpm
         const BlockSet<dim> &blocks = partition.blocks();
         numbers.reinit(blocks.size());
         for_owned_nodes(blocks, [&](const int slot, const int node) {
-          const bool has_mass           = mass.node(slot, node)[n_lanes - 1] > 0.;
+          const bool has_mass         = mass.node(slot, node)[n_lanes - 1] > 0.;
           numbers.node(slot, node)[0] = has_mass ? 0 : outside;
         });
         partition.update_ghosts(numbers);
@@ -85,11 +85,11 @@ namespace magmpm
   template <int dim>
   Vector<dim>
   hand_force_inward(const BlockPartition<dim> &partition,
-                    const NodeField<dim>      &mass,
-                    NodeField<dim>            &force)
+                    const NodeField<dim> &mass,
+                    NodeField<dim> &force)
   {
     const BlockSet<dim> &blocks = partition.blocks();
-    const Layers<dim>    layers(partition, mass);
+    const Layers<dim> layers(partition, mass);
 
     Vector<dim> dropped;
     for_owned_nodes(blocks, [&](const int slot, const int node) {

@@ -19,15 +19,15 @@ namespace magmpm
     template <int dim, typename Action>
     void
     for_active_cells(const PotentialSolution<dim> &solution,
-                     const MaterialPoints<dim>    &material,
-                     const Action                 &action)
+                     const MaterialPoints<dim> &material,
+                     const Action &action)
     {
       const PotentialSpace<dim> &space = *solution.space;
-      const auto                &cells = *space.matrix_free;
+      const auto &cells                = *space.matrix_free;
 
       solution.potential.update_ghost_values();
       dealii::FEEvaluation<dim, potential_degree, n_points_1d> phi(cells);
-      PointFields<dim>                                         self_field;
+      PointFields<dim> self_field;
       for (unsigned int batch = 0; batch < cells.n_cell_batches(); ++batch)
         {
           bool is_evaluated = false;
@@ -91,48 +91,47 @@ namespace magmpm
   template <int dim>
   void
   compute_split_force(const PotentialSolution<dim> &solution,
-                      const MaterialPoints<dim>    &material,
-                      const BlockPartition<dim>    &partition,
-                      NodeField<dim>               &force)
+                      const MaterialPoints<dim> &material,
+                      const BlockPartition<dim> &partition,
+                      NodeField<dim> &force)
   {
-    const BlockSet<dim>   &blocks = partition.blocks();
-    const double           inverse_spacing = 1. / solution.space->mesh.lattice().spacing;
+    const BlockSet<dim> &blocks  = partition.blocks();
+    const double inverse_spacing = 1. / solution.space->mesh.lattice().spacing;
     const CellStencil<dim> stencil;
     force.reinit(blocks.size());
 
-    for_active_cells(solution,
-                     material,
-                     [&](const unsigned int cell, const PointFields<dim> &self_field) {
-      // By axis of the derivative: what is tested by dN_i/dx_axis; and what is tested by N_i.
-      std::array<PointValues<dim>, dim> stress = {};
-      PointValues<dim>                  body   = {};
-      const unsigned int                first  = material.first_point(cell);
-      for (int q = 0; q < n_points<dim>; ++q)
-        {
-          const Vector<dim> &h      = self_field[q];
-          const double       weight = constants::vacuum_permeability * material.weight(q);
-          Vector<dim>        flux   = h;
-          if (first != material.none)
-            {
-              const Vector<dim> m       = material.response(first + q, h).magnetization;
-              const Vector<dim> density = material.source_gradient(first + q) * m;
-              flux += m;
+    for_active_cells(
+      solution, material, [&](const unsigned int cell, const PointFields<dim> &self_field) {
+        // By axis of the derivative: what is tested by dN_i/dx_axis; and what is tested by N_i.
+        std::array<PointValues<dim>, dim> stress = {};
+        PointValues<dim> body                    = {};
+        const unsigned int first                 = material.first_point(cell);
+        for (int q = 0; q < n_points<dim>; ++q)
+          {
+            const Vector<dim> &h = self_field[q];
+            const double weight  = constants::vacuum_permeability * material.weight(q);
+            Vector<dim> flux     = h;
+            if (first != material.none)
+              {
+                const Vector<dim> m       = material.response(first + q, h).magnetization;
+                const Vector<dim> density = material.source_gradient(first + q) * m;
+                flux += m;
+                for (int d = 0; d < dim; ++d)
+                  body[q * n_lanes + d] = weight * density[d];
+              }
+            for (int axis = 0; axis < dim; ++axis)
               for (int d = 0; d < dim; ++d)
-                body[q * n_lanes + d] = weight * density[d];
-            }
-          for (int axis = 0; axis < dim; ++axis)
-            for (int d = 0; d < dim; ++d)
-              stress[axis][q * n_lanes + d] =
-                weight * inverse_spacing *
-                ((axis == d ? 0.5 * norm_square(h) : 0.) - h[d] * flux[axis]);
-        }
-      StencilValues<dim> nodes = {};
-      for (int axis = 0; axis < dim; ++axis)
-        stencil.add_tested_by_derivative(stress[axis], axis, nodes);
-      if (first != material.none)
-        stencil.add_tested(body, nodes);
-      stencil.scatter_add(nodes, blocks, material.slot(cell), material.corner(cell), force);
-    });
+                stress[axis][q * n_lanes + d] =
+                  weight * inverse_spacing *
+                  ((axis == d ? 0.5 * norm_square(h) : 0.) - h[d] * flux[axis]);
+          }
+        StencilValues<dim> nodes = {};
+        for (int axis = 0; axis < dim; ++axis)
+          stencil.add_tested_by_derivative(stress[axis], axis, nodes);
+        if (first != material.none)
+          stencil.add_tested(body, nodes);
+        stencil.scatter_add(nodes, blocks, material.slot(cell), material.corner(cell), force);
+      });
 
     partition.add_ghosts_to_owners(force);
     for_owned_nodes(blocks, [&](const int slot, const int node) {
@@ -144,37 +143,36 @@ namespace magmpm
   template <int dim>
   void
   compute_material_field(const PotentialSolution<dim> &solution,
-                         const MaterialPoints<dim>    &material,
-                         const BlockPartition<dim>    &partition,
-                         NodeField<dim>               &field)
+                         const MaterialPoints<dim> &material,
+                         const BlockPartition<dim> &partition,
+                         NodeField<dim> &field)
   {
-    const BlockSet<dim>   &blocks = partition.blocks();
+    const BlockSet<dim> &blocks = partition.blocks();
     const CellStencil<dim> stencil;
     field.reinit(blocks.size());
     // The weight takes the fourth lane: this is why it is free to the caller.
-    for_active_cells(solution,
-                     material,
-                     [&](const unsigned int cell, const PointFields<dim> &self_field) {
-      const unsigned int first = material.first_point(cell);
-      if (first == material.none)
-        return;
-      PointValues<dim> values = {};
-      for (int q = 0; q < n_points<dim>; ++q)
-        {
-          const double      weight = material.weight(q) * material.volume_fraction(first + q);
-          const Vector<dim> total  = self_field[q] + material.source_field(first + q);
-          for (int d = 0; d < dim; ++d)
-            values[q * n_lanes + d] = weight * total[d];
-          values[q * n_lanes + n_lanes - 1] = weight;
-        }
-      StencilValues<dim> nodes = {};
-      stencil.add_tested(values, nodes);
-      stencil.scatter_add(nodes, blocks, material.slot(cell), material.corner(cell), field);
-    });
+    for_active_cells(
+      solution, material, [&](const unsigned int cell, const PointFields<dim> &self_field) {
+        const unsigned int first = material.first_point(cell);
+        if (first == material.none)
+          return;
+        PointValues<dim> values = {};
+        for (int q = 0; q < n_points<dim>; ++q)
+          {
+            const double weight     = material.weight(q) * material.volume_fraction(first + q);
+            const Vector<dim> total = self_field[q] + material.source_field(first + q);
+            for (int d = 0; d < dim; ++d)
+              values[q * n_lanes + d] = weight * total[d];
+            values[q * n_lanes + n_lanes - 1] = weight;
+          }
+        StencilValues<dim> nodes = {};
+        stencil.add_tested(values, nodes);
+        stencil.scatter_add(nodes, blocks, material.slot(cell), material.corner(cell), field);
+      });
 
     partition.add_ghosts_to_owners(field);
     for_owned_nodes(blocks, [&](const int slot, const int node) {
-      double      *lanes  = field.node(slot, node);
+      double *lanes       = field.node(slot, node);
       const double weight = lanes[n_lanes - 1];
       for (int d = 0; d < dim && weight > 0.; ++d)
         lanes[d] /= weight;
@@ -183,14 +181,14 @@ namespace magmpm
     partition.update_ghosts(field);
   }
 
-#define MAGMPM_INSTANTIATE(dim)                                                             \
-  template void compute_split_force(const PotentialSolution<dim> &,                         \
-                                    const MaterialPoints<dim> &,                            \
-                                    const BlockPartition<dim> &,                            \
-                                    NodeField<dim> &);                                      \
-  template void compute_material_field(const PotentialSolution<dim> &,                      \
-                                       const MaterialPoints<dim> &,                         \
-                                       const BlockPartition<dim> &,                         \
+#define MAGMPM_INSTANTIATE(dim)                                        \
+  template void compute_split_force(const PotentialSolution<dim> &,    \
+                                    const MaterialPoints<dim> &,       \
+                                    const BlockPartition<dim> &,       \
+                                    NodeField<dim> &);                 \
+  template void compute_material_field(const PotentialSolution<dim> &, \
+                                       const MaterialPoints<dim> &,    \
+                                       const BlockPartition<dim> &,    \
                                        NodeField<dim> &);
 
   MAGMPM_INSTANTIATE(2)

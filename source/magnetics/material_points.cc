@@ -23,11 +23,11 @@ namespace magmpm
   template <int dim>
   void
   MaterialPoints<dim>::reinit(const std::vector<Index<dim>> &lattice_cells,
-                              const BlockSet<dim>           &blocks,
-                              const NodeField<dim>          &content,
-                              const ExternalField<dim>      &sources,
-                              const Lattice<dim>            &lattice,
-                              const MagnetizationLaw         law)
+                              const BlockSet<dim> &blocks,
+                              const NodeField<dim> &content,
+                              const ExternalField<dim> &sources,
+                              const Lattice<dim> &lattice,
+                              const MagnetizationLaw law)
   {
     this->law = law;
     cells.assign(lattice_cells.size(), Cell());
@@ -45,11 +45,11 @@ namespace magmpm
       }
 
     StencilValues<dim> nodes;
-    PointValues<dim>   values;
+    PointValues<dim> values;
     for (std::size_t c = 0; c < cells.size(); ++c)
       {
         const Index<dim> block = block_of<dim>(lattice_cells[c]);
-        const int        slot  = blocks.slot(block);
+        const int slot         = blocks.slot(block);
         if (slot == invalid_slot || slot >= blocks.n_owned())
           continue;
         cells[c].slot = slot;
@@ -70,10 +70,10 @@ namespace magmpm
 
   template <int dim>
   void
-  MaterialPoints<dim>::add_cell(const Index<dim>         &lower_node,
-                                const PointValues<dim>   &content,
+  MaterialPoints<dim>::add_cell(const Index<dim> &lower_node,
+                                const PointValues<dim> &content,
                                 const ExternalField<dim> &sources,
-                                const Lattice<dim>       &lattice)
+                                const Lattice<dim> &lattice)
   {
     const Vector<dim> corner = lattice.node_position(lower_node);
     for (int q = 0; q < n_points<dim>; ++q)

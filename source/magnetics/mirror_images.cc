@@ -10,9 +10,9 @@ namespace magmpm
     template <int dim>
     void
     add_images_in_block(const BlockSet<dim> &blocks,
-                        const int            slot,
-                        const int            axis,
-                        NodeField<dim>      &content)
+                        const int slot,
+                        const int axis,
+                        NodeField<dim> &content)
     {
       const int middle = n_neighbours<dim> / 2;
       const int below  = blocks.neighbours(slot)[middle - power(3, axis)];
@@ -20,7 +20,7 @@ namespace magmpm
       for (int node = 0; node < nodes_per_block<dim>; ++node)
         {
           const int place = node / stride % block_edge;
-          double   *lanes = content.node(slot, node);
+          double *lanes   = content.node(slot, node);
           if (place == 0)
             for (int lane = 0; lane < n_lanes; ++lane)
               lanes[lane] *= 2.;
@@ -36,10 +36,10 @@ namespace magmpm
 
   template <int dim>
   void
-  add_mirror_images(const BlockPartition<dim>       &partition,
-                    const Lattice<dim>              &lattice,
+  add_mirror_images(const BlockPartition<dim> &partition,
+                    const Lattice<dim> &lattice,
                     const std::array<bool, 2 * dim> &shielded,
-                    NodeField<dim>                  &content)
+                    NodeField<dim> &content)
   {
     if (std::none_of(shielded.begin(), shielded.end(), [](const bool is) { return is; }))
       return;

@@ -22,10 +22,11 @@ namespace magmpm
         , quadrature(n_points_1d)
         , gradients(quadrature.size() * n_dofs)
         , vacuum(n_dofs, n_dofs)
-        , lexicographic(dealii::FETools::lexicographic_to_hierarchic_numbering<dim>(potential_degree))
+        , lexicographic(
+            dealii::FETools::lexicographic_to_hierarchic_numbering<dim>(potential_degree))
       {
-        std::vector<dealii::SymmetricTensor<2, dim>> identity(
-          quadrature.size(), dealii::unit_symmetric_tensor<dim>());
+        std::vector<dealii::SymmetricTensor<2, dim>> identity(quadrature.size(),
+                                                              dealii::unit_symmetric_tensor<dim>());
         for (unsigned int q = 0; q < quadrature.size(); ++q)
           for (unsigned int i = 0; i < n_dofs; ++i)
             gradients[q * n_dofs + i] = fe.shape_grad(i, quadrature.point(q));
@@ -35,8 +36,8 @@ namespace magmpm
       /** int grad v . K grad u on a cell; @p permeability null: K = I. */
       void
       compute(const dealii::SymmetricTensor<2, dim> *permeability,
-              const double                           edge,
-              dealii::FullMatrix<double>            &matrix) const
+              const double edge,
+              dealii::FullMatrix<double> &matrix) const
       {
         if (permeability != nullptr)
           fill(permeability, std::pow(edge, dim - 2), matrix);
@@ -47,7 +48,7 @@ namespace magmpm
       /** Adds a matrix that is numbered lexicographically. */
       void
       add_lexicographic(const dealii::FullMatrix<double> &part,
-                        dealii::FullMatrix<double>       &matrix) const
+                        dealii::FullMatrix<double> &matrix) const
       {
         for (unsigned int i = 0; i < n_dofs; ++i)
           for (unsigned int j = 0; j < n_dofs; ++j)
@@ -57,22 +58,22 @@ namespace magmpm
       const unsigned int n_dofs;
 
     private:
-      const dealii::QGauss<dim>           quadrature;
+      const dealii::QGauss<dim> quadrature;
       std::vector<dealii::Tensor<1, dim>> gradients;
-      dealii::FullMatrix<double>          vacuum;
-      const std::vector<unsigned int>     lexicographic;
+      dealii::FullMatrix<double> vacuum;
+      const std::vector<unsigned int> lexicographic;
 
       void
       fill(const dealii::SymmetricTensor<2, dim> *permeability,
-           const double                           scaling,
-           dealii::FullMatrix<double>            &matrix) const
+           const double scaling,
+           dealii::FullMatrix<double> &matrix) const
       {
         matrix = 0.;
         for (unsigned int q = 0; q < quadrature.size(); ++q)
           for (unsigned int i = 0; i < n_dofs; ++i)
             {
-              const dealii::Tensor<1, dim> flux =
-                scaling * quadrature.weight(q) * (permeability[q] * gradients[q * n_dofs + i]);
+              const dealii::Tensor<1, dim> flux = scaling * quadrature.weight(q) *
+                                                  (permeability[q] * gradients[q * n_dofs + i]);
               for (unsigned int j = 0; j <= i; ++j)
                 matrix(i, j) += flux * gradients[q * n_dofs + j];
             }
@@ -87,14 +88,12 @@ namespace magmpm
   MLPreconditioner<dim>::MLPreconditioner(const PotentialSpace<dim> &space)
     : space(space)
   {
-    const MPI_Comm                 communicator = space.mesh.communicator();
-    const auto                    &owned        = space.dof_handler.locally_owned_dofs();
+    const MPI_Comm communicator = space.mesh.communicator();
+    const auto &owned           = space.dof_handler.locally_owned_dofs();
     dealii::DynamicSparsityPattern pattern(space.relevant_dofs);
     dealii::DoFTools::make_sparsity_pattern(space.dof_handler, pattern, space.constraints, false);
-    dealii::SparsityTools::distribute_sparsity_pattern(pattern,
-                                                       owned,
-                                                       communicator,
-                                                       space.relevant_dofs);
+    dealii::SparsityTools::distribute_sparsity_pattern(
+      pattern, owned, communicator, space.relevant_dofs);
     system_matrix.reinit(owned, owned, pattern, communicator);
   }
 
@@ -130,7 +129,8 @@ namespace magmpm
         {
           const unsigned int lattice_cell =
             space.lattice_cell_of_active_cell[cell->active_cell_index()];
-          elements.compute(jacobian.permeability(lattice_cell), cell->extent_in_direction(0), matrix);
+          elements.compute(
+            jacobian.permeability(lattice_cell), cell->extent_in_direction(0), matrix);
           if (jacobian.boundary.element_matrix(cell, boundary_matrix))
             elements.add_lexicographic(boundary_matrix, matrix);
           cell->get_dof_indices(dofs);

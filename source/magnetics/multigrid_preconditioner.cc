@@ -58,10 +58,10 @@ namespace magmpm
       }
 
     private:
-      const PotentialSpace<dim>         &space;
-      const JacobianData<dim>           &jacobian;
+      const PotentialSpace<dim> &space;
+      const JacobianData<dim> &jacobian;
       std::vector<std::map<int, Tensor>> means; ///< by level and cell index
-      std::array<Tensor, n_points<dim>>  constant;
+      std::array<Tensor, n_points<dim>> constant;
 
       /** Of the volume of a cell. */
       static double
@@ -100,10 +100,10 @@ namespace magmpm
           if (cell->has_children() && cell->is_locally_owned_on_level())
             {
               Tensor mean;
-              bool   has_material = false;
+              bool has_material = false;
               for (unsigned int c = 0; c < cell->n_children(); ++c)
                 {
-                  const auto found = means[level + 1].find(cell->child(c)->index());
+                  const auto found     = means[level + 1].find(cell->child(c)->index());
                   const bool is_vacuum = found == means[level + 1].end();
                   has_material         = has_material || !is_vacuum;
                   mean += (is_vacuum ? dealii::unit_symmetric_tensor<dim>() : found->second) /
@@ -123,8 +123,8 @@ namespace magmpm
           space.mesh.triangulation(),
           [&of_level](const LevelCell<dim> &cell) {
             const auto found = of_level.find(cell->index());
-            return found == of_level.end() ? std::optional<Tensor>() :
-                                             std::optional<Tensor>(found->second);
+            return found == of_level.end() ? std::optional<Tensor>()
+                                           : std::optional<Tensor>(found->second);
           },
           [&of_level](const LevelCell<dim> &cell, const Tensor &mean) {
             of_level[cell->index()] = mean;
@@ -136,9 +136,9 @@ namespace magmpm
     /** The open boundary and the permeability, for the operator of one level. */
     template <int dim>
     void
-    set_jacobian(const PotentialSpace<dim>     &space,
-                 const OpenBoundary<dim>       &boundary,
-                 LevelPermeability<dim>        &permeability,
+    set_jacobian(const PotentialSpace<dim> &space,
+                 const OpenBoundary<dim> &boundary,
+                 LevelPermeability<dim> &permeability,
                  PotentialOperator<dim, float> &level_operator)
     {
       const auto cell_of = [&](const unsigned int batch, const unsigned int lane) {
@@ -171,16 +171,16 @@ namespace magmpm
     make_level_operators();
 
     const PotentialSpace<dim> &space;
-    dealii::MGConstrainedDoFs  constraints;
+    dealii::MGConstrainedDoFs constraints;
 
     dealii::MGLevelObject<LevelOperator> operators;
-    dealii::MGLevelObject<Interface>     interfaces;
+    dealii::MGLevelObject<Interface> interfaces;
 
-    std::unique_ptr<Transfer>                                transfer;
-    dealii::mg::SmootherRelaxation<Chebyshev, LevelVector>   smoother;
-    dealii::MGCoarseGridApplySmoother<LevelVector>           coarse_solver;
-    std::unique_ptr<dealii::mg::Matrix<LevelVector>>         matrices, interface_matrices;
-    std::unique_ptr<dealii::Multigrid<LevelVector>>          multigrid;
+    std::unique_ptr<Transfer> transfer;
+    dealii::mg::SmootherRelaxation<Chebyshev, LevelVector> smoother;
+    dealii::MGCoarseGridApplySmoother<LevelVector> coarse_solver;
+    std::unique_ptr<dealii::mg::Matrix<LevelVector>> matrices, interface_matrices;
+    std::unique_ptr<dealii::Multigrid<LevelVector>> multigrid;
     std::unique_ptr<dealii::PreconditionMG<dim, LevelVector, Transfer>> preconditioner;
   };
 
@@ -220,11 +220,8 @@ namespace magmpm
         data.mapping_update_flags  = dealii::update_gradients | dealii::update_JxW_values;
         data.mg_level              = level;
         auto cells                 = std::make_shared<dealii::MatrixFree<dim, float>>();
-        cells->reinit(space.mapping,
-                      space.dof_handler,
-                      no_constraints,
-                      dealii::QGauss<1>(n_points_1d),
-                      data);
+        cells->reinit(
+          space.mapping, space.dof_handler, no_constraints, dealii::QGauss<1>(n_points_1d), data);
         operators[level].initialize(cells, constraints, level);
         interfaces[level].initialize(operators[level]);
       }
@@ -233,7 +230,8 @@ namespace magmpm
   template <int dim>
   MultigridPreconditioner<dim>::MultigridPreconditioner(const PotentialSpace<dim> &space)
     : implementation(std::make_unique<Implementation>(space))
-  {}
+  {
+  }
 
   template <int dim>
   MultigridPreconditioner<dim>::~MultigridPreconditioner() = default;

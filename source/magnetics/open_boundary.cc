@@ -34,9 +34,9 @@ namespace magmpm
   } // namespace
 
   template <int dim>
-  OpenBoundary<dim>::OpenBoundary(const PotentialSpace<dim>       &space,
+  OpenBoundary<dim>::OpenBoundary(const PotentialSpace<dim> &space,
                                   const std::array<bool, 2 * dim> &shielded,
-                                  const Vector<dim>               &centre)
+                                  const Vector<dim> &centre)
     : lower_corner(space.lower_corner)
     , upper_corner(space.upper_corner)
   {
@@ -70,9 +70,9 @@ namespace magmpm
 
   template <int dim>
   void
-  OpenBoundary<dim>::add_face(const CellIterator         &cell,
-                              const int                   axis,
-                              const int                   side,
+  OpenBoundary<dim>::add_face(const CellIterator &cell,
+                              const int axis,
+                              const int side,
                               dealii::FullMatrix<double> &matrix) const
   {
     const double edge = cell->extent_in_direction(0); // cells are cubes
@@ -80,7 +80,7 @@ namespace magmpm
       {
         // Position in the cell, in [0, 1], and weight on the face.
         Vector<dim> unit_point, point;
-        double      weight = 1.;
+        double weight = 1.;
         for (int d = 0, rest = q; d < dim; ++d)
           {
             unit_point[d] = side;
@@ -110,7 +110,7 @@ namespace magmpm
 
   template <int dim>
   bool
-  OpenBoundary<dim>::element_matrix(const CellIterator         &cell,
+  OpenBoundary<dim>::element_matrix(const CellIterator &cell,
                                     dealii::FullMatrix<double> &matrix) const
   {
     constexpr int n_dofs = power(n_dofs_1d, dim);

@@ -46,7 +46,7 @@ namespace magmpm
   PotentialOperator<dim, Number>::set_boundary_matrices(const CellMatrix &cell_matrix)
   {
     const dealii::MatrixFree<dim, Number> &cells = *this->data;
-    constexpr unsigned int                 size  = n_cell_dofs * n_cell_dofs;
+    constexpr unsigned int size                  = n_cell_dofs * n_cell_dofs;
     first_matrix.assign(cells.n_cell_batches(), invalid_entry);
     matrices.resize(0);
     for (unsigned int batch = 0; batch < cells.n_cell_batches(); ++batch)
@@ -67,8 +67,8 @@ namespace magmpm
   template <int dim, typename Number>
   typename PotentialOperator<dim, Number>::Lanes
   PotentialOperator<dim, Number>::boundary_product(const unsigned int batch,
-                                                   const Lanes       *values,
-                                                   Lanes             *product) const
+                                                   const Lanes *values,
+                                                   Lanes *product) const
   {
     std::fill_n(product, n_cell_dofs, Lanes(Number(0.)));
     Lanes quadratic_form = Number(0.);
@@ -91,7 +91,7 @@ namespace magmpm
   {
     // integrate() below overwrites the values of the cell.
     const unsigned int batch = u.get_current_cell_index();
-    Lanes              boundary_part[n_cell_dofs];
+    Lanes boundary_part[n_cell_dofs];
     boundary_product(batch, u.begin_dof_values(), boundary_part);
 
     u.evaluate(dealii::EvaluationFlags::gradients);
@@ -112,9 +112,9 @@ namespace magmpm
   PotentialOperator<dim, Number>::apply_add(VectorType &dst, const VectorType &src) const
   {
     this->data->template cell_loop<VectorType, VectorType>(
-      [this](const dealii::MatrixFree<dim, Number>       &cells,
-             VectorType                                  &result,
-             const VectorType                            &values,
+      [this](const dealii::MatrixFree<dim, Number> &cells,
+             VectorType &result,
+             const VectorType &values,
              const std::pair<unsigned int, unsigned int> &range) {
         Evaluation u(cells);
         for (unsigned int batch = range.first; batch < range.second; ++batch)
@@ -133,9 +133,8 @@ namespace magmpm
   void
   PotentialOperator<dim, Number>::compute_diagonal()
   {
-    this->inverse_diagonal_entries =
-      std::make_shared<dealii::DiagonalMatrix<VectorType>>();
-    VectorType &diagonal = this->inverse_diagonal_entries->get_vector();
+    this->inverse_diagonal_entries = std::make_shared<dealii::DiagonalMatrix<VectorType>>();
+    VectorType &diagonal           = this->inverse_diagonal_entries->get_vector();
     this->data->initialize_dof_vector(diagonal);
     dealii::MatrixFreeTools::
       compute_diagonal<dim, potential_degree, n_points_1d, 1, Number, Lanes, VectorType>(

@@ -46,7 +46,7 @@ namespace magmpm
       }
 
     private:
-      bool   due                  = true;
+      bool due                    = true;
       double iterations_per_digit = 0.;
     };
   } // namespace
@@ -54,15 +54,16 @@ namespace magmpm
   template <int dim>
   struct PotentialProblem<dim>::Implementation : public NewtonProblem<PotentialVector>
   {
-    Implementation(const BackgroundMesh<dim>      &mesh,
-                   const BlockPartition<dim>      &partition,
+    Implementation(const BackgroundMesh<dim> &mesh,
+                   const BlockPartition<dim> &partition,
                    const MagneticsParameters<dim> &parameters,
-                   dealii::TimerOutput            &timer)
+                   dealii::TimerOutput &timer)
       : mesh(mesh)
       , partition(partition)
       , parameters(parameters)
       , timer(timer)
-    {}
+    {
+    }
 
     /** Everything that depends on the mesh, which has changed. */
     void
@@ -77,8 +78,8 @@ namespace magmpm
 
     int
     solve_linearized(const PotentialVector &rhs_negative,
-                     const double           relative_tolerance,
-                     PotentialVector       &step) override;
+                     const double relative_tolerance,
+                     PotentialVector &step) override;
 
     /** @return iterations, or -1 if they did not suffice. */
     int
@@ -87,20 +88,20 @@ namespace magmpm
     void
     rebuild_preconditioner();
 
-    const BackgroundMesh<dim>     &mesh;
-    const BlockPartition<dim>     &partition;
+    const BackgroundMesh<dim> &mesh;
+    const BlockPartition<dim> &partition;
     const MagneticsParameters<dim> parameters;
-    dealii::TimerOutput           &timer;
+    dealii::TimerOutput &timer;
 
-    PotentialSolution<dim>                        solution;
-    unsigned int                                  revision = 0; ///< of the mesh
-    MaterialPoints<dim>                           material;
-    std::unique_ptr<OpenBoundary<dim>>            boundary;
-    PotentialResidual<dim>                        residual;
-    PotentialOperator<dim, double>                jacobian;
+    PotentialSolution<dim> solution;
+    unsigned int revision = 0; ///< of the mesh
+    MaterialPoints<dim> material;
+    std::unique_ptr<OpenBoundary<dim>> boundary;
+    PotentialResidual<dim> residual;
+    PotentialOperator<dim, double> jacobian;
     std::unique_ptr<PotentialPreconditioner<dim>> preconditioner;
-    RebuildRule                                   rule;
-    bool                                          has_rebuilt = false; ///< in this solve
+    RebuildRule rule;
+    bool has_rebuilt = false; ///< in this solve
   };
 
   template <int dim>
@@ -111,9 +112,8 @@ namespace magmpm
     preconditioner.reset();
     boundary.reset();
     jacobian.clear();
-    solution.space =
-      std::make_unique<const PotentialSpace<dim>>(mesh,
-                                                  parameters.preconditioner == Preconditioner::gmg);
+    solution.space = std::make_unique<const PotentialSpace<dim>>(
+      mesh, parameters.preconditioner == Preconditioner::gmg);
     solution.potential = solution.space->make_vector();
     revision           = mesh.revision();
 
@@ -124,18 +124,18 @@ namespace magmpm
 
   template <int dim>
   void
-  PotentialProblem<dim>::Implementation::set_state(const NodeField<dim>     &content,
+  PotentialProblem<dim>::Implementation::set_state(const NodeField<dim> &content,
                                                    const ExternalField<dim> &sources)
   {
     const dealii::TimerOutput::Scope section(timer, "Solve potential: material");
-    const PotentialSpace<dim>       &space = *solution.space;
-    NodeField<dim>                   mirrored(content);
+    const PotentialSpace<dim> &space = *solution.space;
+    NodeField<dim> mirrored(content);
     add_mirror_images(partition, mesh.lattice(), parameters.shielded, mirrored);
     material.reinit(
       space.lattice_cells, partition.blocks(), mirrored, sources, mesh.lattice(), parameters.law);
 
     // Weights by |M| in the sources' field alone: the centre then depends on the present state only.
-    const auto                  local = material.magnetized_weight();
+    const auto local = material.magnetized_weight();
     std::array<double, dim + 1> sums;
     std::copy_n(local.second.values, dim, sums.begin());
     sums[dim] = local.first;
@@ -149,16 +149,16 @@ namespace magmpm
 
     dealii::FullMatrix<double> matrix;
     jacobian.set_boundary_matrices([&](const unsigned int batch, const unsigned int lane) {
-      return boundary->element_matrix(space.matrix_free->get_cell_iterator(batch, lane), matrix) ?
-               &matrix :
-               nullptr;
+      return boundary->element_matrix(space.matrix_free->get_cell_iterator(batch, lane), matrix)
+               ? &matrix
+               : nullptr;
     });
   }
 
   template <int dim>
   void
   PotentialProblem<dim>::Implementation::evaluate(const PotentialVector &potential,
-                                                  PotentialVector       &result)
+                                                  PotentialVector &result)
   {
     const dealii::TimerOutput::Scope section(timer, "Solve potential: residual");
     residual.evaluate(*solution.space, material, jacobian, potential, result);
@@ -179,11 +179,11 @@ namespace magmpm
   template <int dim>
   int
   PotentialProblem<dim>::Implementation::run_cg(const PotentialVector &right_hand_side,
-                                                const double           tolerance,
-                                                PotentialVector       &step)
+                                                const double tolerance,
+                                                PotentialVector &step)
   {
     const dealii::TimerOutput::Scope section(timer, "Solve potential: CG");
-    dealii::SolverControl            control(parameters.max_cg_iterations, tolerance);
+    dealii::SolverControl control(parameters.max_cg_iterations, tolerance);
     dealii::SolverCG<PotentialVector> cg(control);
     step = 0.;
     try
@@ -200,7 +200,7 @@ namespace magmpm
   template <int dim>
   int
   PotentialProblem<dim>::Implementation::solve_linearized(const PotentialVector &residual_vector,
-                                                          const double    relative_tolerance,
+                                                          const double relative_tolerance,
                                                           PotentialVector &step)
   {
     const PotentialSpace<dim> &space = *solution.space;
@@ -214,8 +214,8 @@ namespace magmpm
 
     PotentialVector right_hand_side(residual_vector);
     right_hand_side *= -1.;
-    const double tolerance  = relative_tolerance * right_hand_side.l2_norm();
-    int          iterations = run_cg(right_hand_side, tolerance, step);
+    const double tolerance = relative_tolerance * right_hand_side.l2_norm();
+    int iterations         = run_cg(right_hand_side, tolerance, step);
     if (iterations < 0 && !is_fresh)
       {
         rebuild_preconditioner();
@@ -233,12 +233,13 @@ namespace magmpm
   }
 
   template <int dim>
-  PotentialProblem<dim>::PotentialProblem(const BackgroundMesh<dim>      &mesh,
-                                          const BlockPartition<dim>      &partition,
+  PotentialProblem<dim>::PotentialProblem(const BackgroundMesh<dim> &mesh,
+                                          const BlockPartition<dim> &partition,
                                           const MagneticsParameters<dim> &parameters,
-                                          dealii::TimerOutput            &timer)
+                                          dealii::TimerOutput &timer)
     : implementation(std::make_unique<Implementation>(mesh, partition, parameters, timer))
-  {}
+  {
+  }
 
   template <int dim>
   PotentialProblem<dim>::~PotentialProblem() = default;
@@ -247,7 +248,7 @@ namespace magmpm
   SolveReport
   PotentialProblem<dim>::solve(const NodeField<dim> &content, const ExternalField<dim> &sources)
   {
-    Implementation  &problem   = *implementation;
+    Implementation &problem    = *implementation;
     PotentialVector &potential = problem.solution.potential;
     if (!problem.solution.space || problem.revision != problem.mesh.revision())
       problem.set_up();
@@ -255,7 +256,7 @@ namespace magmpm
     problem.has_rebuilt = false;
 
     // The tolerance refers to the residual at zero potential, however good the start is.
-    SolveReport     report;
+    SolveReport report;
     PotentialVector zero = problem.solution.space->make_vector(), residual(zero);
     problem.evaluate(zero, residual);
     report.zero_residual = residual.l2_norm();
@@ -278,7 +279,7 @@ namespace magmpm
   Vector<dim>
   PotentialProblem<dim>::compute_force(const NodeField<dim> &mass, NodeField<dim> &force) const
   {
-    const Implementation            &problem = *implementation;
+    const Implementation &problem = *implementation;
     const dealii::TimerOutput::Scope section(problem.timer, "Compute magnetic force");
     compute_split_force(problem.solution, problem.material, problem.partition, force);
     Vector<dim> dropped = hand_force_inward(problem.partition, mass, force);
@@ -292,7 +293,7 @@ namespace magmpm
   void
   PotentialProblem<dim>::compute_field(NodeField<dim> &field) const
   {
-    const Implementation            &problem = *implementation;
+    const Implementation &problem = *implementation;
     const dealii::TimerOutput::Scope section(problem.timer, "Compute magnetic force");
     compute_material_field(problem.solution, problem.material, problem.partition, field);
   }

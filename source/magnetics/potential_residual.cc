@@ -6,23 +6,23 @@ namespace magmpm
 {
   template <int dim>
   void
-  PotentialResidual<dim>::evaluate(const PotentialSpace<dim>            &space,
-                                   const MaterialPoints<dim>            &material,
+  PotentialResidual<dim>::evaluate(const PotentialSpace<dim> &space,
+                                   const MaterialPoints<dim> &material,
                                    const PotentialOperator<dim, double> &jacobian,
-                                   const PotentialVector                &potential,
-                                   PotentialVector                      &residual)
+                                   const PotentialVector &potential,
+                                   PotentialVector &residual)
   {
     constexpr unsigned int n_dofs = PotentialOperator<dim, double>::n_cell_dofs;
     communicator                  = space.mesh.communicator();
     tensors.resize(material.size());
     local_energy = 0.;
 
-    const auto evaluate_cells = [&](const dealii::MatrixFree<dim, double>       &cells,
-                                    PotentialVector                             &result,
-                                    const PotentialVector                       &values,
+    const auto evaluate_cells = [&](const dealii::MatrixFree<dim, double> &cells,
+                                    PotentialVector &result,
+                                    const PotentialVector &values,
                                     const std::pair<unsigned int, unsigned int> &range) {
       typename PotentialOperator<dim, double>::Evaluation phi(cells);
-      Fluxes                                              fluxes;
+      Fluxes fluxes;
       for (unsigned int batch = range.first; batch < range.second; ++batch)
         {
           phi.reinit(batch);
@@ -50,18 +50,16 @@ namespace magmpm
           phi.distribute_local_to_global(result);
         }
     };
-    space.matrix_free->template cell_loop<PotentialVector, PotentialVector>(evaluate_cells,
-                                                                            residual,
-                                                                            potential,
-                                                                            true);
+    space.matrix_free->template cell_loop<PotentialVector, PotentialVector>(
+      evaluate_cells, residual, potential, true);
   }
 
   template <int dim>
   double
   PotentialResidual<dim>::subtract_magnetization(const MaterialPoints<dim> &material,
-                                                 const unsigned int         lattice_cell,
-                                                 const unsigned int         lane,
-                                                 Fluxes                    &fluxes)
+                                                 const unsigned int lattice_cell,
+                                                 const unsigned int lane,
+                                                 Fluxes &fluxes)
   {
     const unsigned int first = material.first_point(lattice_cell);
     if (first == material.none)

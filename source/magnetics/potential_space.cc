@@ -41,8 +41,8 @@ namespace magmpm
   void
   PotentialSpace<dim>::find_lattice_cells()
   {
-    const Lattice<dim> &lattice       = mesh.lattice();
-    const auto         &triangulation = mesh.triangulation();
+    const Lattice<dim> &lattice = mesh.lattice();
+    const auto &triangulation   = mesh.triangulation();
 
     lattice_cell_of_active_cell.assign(triangulation.n_active_cells(), invalid_entry);
     for (const auto &cell : triangulation.active_cell_iterators())
@@ -59,7 +59,8 @@ namespace magmpm
     const unsigned int n_lanes = dealii::VectorizedArray<double>::size();
     lattice_cell_of_lane.assign(matrix_free->n_cell_batches() * n_lanes, invalid_entry);
     for (unsigned int batch = 0; batch < matrix_free->n_cell_batches(); ++batch)
-      for (unsigned int lane = 0; lane < matrix_free->n_active_entries_per_cell_batch(batch); ++lane)
+      for (unsigned int lane = 0; lane < matrix_free->n_active_entries_per_cell_batch(batch);
+           ++lane)
         lattice_cell_of_lane[batch * n_lanes + lane] =
           lattice_cell_of_active_cell[matrix_free->get_cell_iterator(batch, lane)
                                         ->active_cell_index()];
@@ -92,9 +93,8 @@ namespace magmpm
   PotentialVector
   PotentialSpace<dim>::with_ghosts(const PotentialVector &potential) const
   {
-    PotentialVector copy(dof_handler.locally_owned_dofs(),
-                         relevant_dofs,
-                         mesh.triangulation().get_communicator());
+    PotentialVector copy(
+      dof_handler.locally_owned_dofs(), relevant_dofs, mesh.triangulation().get_communicator());
     copy.copy_locally_owned_data_from(potential);
     constraints.distribute(copy);
     copy.update_ghost_values();

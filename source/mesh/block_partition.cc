@@ -97,9 +97,12 @@ namespace magmpm
         ghost_values.add_range(size * ghost.first, size * (ghost.first + 1));
         all.push_back(ghost.second);
       }
-    // A fresh one: reinit() of deal.II 9.4 keeps parts of the old exchange pattern.
-    partitioner = std::make_unique<dealii::Utilities::MPI::Partitioner>(
-      owned_values, ghost_values, communicator);
+    // A fresh one: reinit() of deal.II 9.4 keeps parts of the old exchange pattern. Without an active
+    // block anywhere, deal.II would divide by the number of values.
+    using Partitioner = dealii::Utilities::MPI::Partitioner;
+    partitioner       = (total == 0 ?
+                           std::make_unique<Partitioner>() :
+                           std::make_unique<Partitioner>(owned_values, ghost_values, communicator));
     block_set = BlockSet<dim>(std::move(all), static_cast<int>(owned.size()));
   }
 

@@ -1,6 +1,172 @@
-#include "catch.h"
-#include "test_folder.h"
+// Written fields, read back by VTK, which ParaView reads with.
+
+#include <magmpm/base/constants.h>
+#include <magmpm/io/field_output.h>
 
 #include "../magnetics/scene.h"
+#include "catch.h"
+#include "test_folder.h"
+#include <vtkDataArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLPUnstructuredGridReader.h>
 
-#include <magmpm/io/field_output.h>
+#include <cmath>
+#include <filesystem>
+#include <map>
+
+using namespace magmpm;
+
+namespace
+{
+  constexpr double spacing     = 0.01;
+  constexpr double outer_field = 1e5;
+  constexpr double chi         = 2.;
+
+  /** The fields at one point of a written frame. */
+  struct PointFields
+  {
+    Vector<3> position, self_field, field, magnetization, flux_density;
+    double potential, number_density;
+  };
+
+  PointFields
+  fields_at(vtkUnstructuredGrid *grid, const vtkIdType point)
+  {
+    PointFields fields;
+    grid->GetPoint(point, fields.position.values);
+    const auto read = [&](const char *name, double *values) {
+      grid->GetPointData()->GetArray(name)->GetTuple(point, values);
+    };
+    read("H_int [A/m]", fields.self_field.values);
+    read("H [A/m]", fields.field.values);
+    read("M [A/m]", fields.magnetization.values);
+    read("B [T]", fields.flux_density.values);
+    read("potential [A]", &fields.potential);
+    read("number_density [1/m^3]", &fields.number_density);
+    return fields;
+  }
+
+  /** That the fields of a frame fit together, and the solution for a sphere. */
+  template <int dim>
+  void
+  check_fields(vtkUnstructuredGrid *grid, const Vector<dim> &centre, const double radius)
+  {
+    Vector<3> outer;
+    outer[0]      = outer_field;
+    double inside = 0., n_inside = 0., worst_sum = 0., worst_flux = 0., worst_far = 0.;
+    for (vtkIdType p = 0; p < grid->GetNumberOfPoints(); ++p)
+      {
+        const PointFields at = fields_at(grid, p);
+        worst_sum            = std::max(worst_sum, norm(at.field - at.self_field - outer));
+        worst_flux           = std::max(
+          worst_flux,
+          norm(at.flux_density - constants::vacuum_permeability * (at.field + at.magnetization)));
+        double square = 0.;
+        for (int d = 0; d < dim; ++d)
+          square += std::pow(at.position[d] - centre[d], 2);
+        if (square < 0.25 * radius * radius)
+          {
+            n_inside += 1.;
+            inside += at.field[0];
+            CHECK(at.magnetization[0] == Approx(chi * at.field[0]).epsilon(1e-3));
+            CHECK(at.number_density == Approx(1.).epsilon(1e-3));
+          }
+        if (square > 4. * radius * radius)
+          worst_far = std::max(worst_far, norm(at.magnetization));
+      }
+    CHECK(worst_sum < 1e-6 * outer_field); // single precision
+    CHECK(worst_flux < 1e-6 * constants::vacuum_permeability * outer_field);
+    CHECK(worst_far == 0.);
+    CHECK(inside / n_inside == Approx(outer_field / (1. + chi / dim)).epsilon(0.08));
+  }
+} // namespace
+
+// A linear sphere in a uniform field, written and read back: H is H_int plus the uniform field, B is
+// mu_0 (H + M), and H in the sphere is H_0/(1 + chi_0/dim), but for the few percent of the smeared
+// interface. Vectors have three components in 2D too.
+TEMPLATE_TEST_CASE_SIG("written fields are read back by VTK", "[io][mpi]", ((int dim), dim), 2, 3)
+{
+  const std::string folder = testing::fresh_folder("field_output-" + std::to_string(dim) + "d");
+  MagneticsParameters<dim> parameters;
+  parameters.law = MagnetizationLaw::linear;
+  test::Scene<dim> scene(24, spacing, 2., parameters);
+  Vector<dim> centre, outer;
+  for (int d = 0; d < dim; ++d)
+    centre[d] = 12. * spacing;
+  outer[0]            = outer_field;
+  const double radius = 7. * spacing;
+  scene.set_bodies({test::sphere<dim>(centre, radius, {1., chi})});
+  const ExternalField<dim> sources({test::uniform_source<dim>(outer)});
+  scene.problem.solve(scene.content, sources);
+
+  FieldOutput<dim> output(
+    MPI_COMM_WORLD, folder, FieldOutput<dim>::quantity_names(), parameters.law);
+  output.write_frame(7, 0.25, scene.problem, scene.partition, scene.content, sources);
+
+  if (testing::this_rank() == 0)
+    {
+      CHECK(std::filesystem::exists(folder + "/fields/fields_0007.0.vtu"));
+      CHECK(testing::contents(folder + "/fields.pvd").find("fields/fields_0007.pvtu") !=
+            std::string::npos);
+      vtkNew<vtkXMLPUnstructuredGridReader> reader;
+      reader->SetFileName((folder + "/fields/fields_0007.pvtu").c_str());
+      reader->Update();
+      vtkUnstructuredGrid *grid = reader->GetOutput();
+      CHECK(grid->GetPointData()->GetNumberOfArrays() == 6);
+      if (grid->GetPointData()->GetNumberOfArrays() == 6)
+        check_fields<dim>(grid, centre, radius);
+    }
+  MPI_Barrier(MPI_COMM_WORLD);
+}
+
+// H_int has one value at every place, whichever cell it is written for: a stream tracer then draws
+// continuous field lines. Compared between points at the same place.
+TEST_CASE("the written field is continuous", "[io]")
+{
+  const std::string folder = testing::fresh_folder("field_output-continuous");
+  MagneticsParameters<2> parameters;
+  test::Scene<2> scene(24, spacing, 2., parameters);
+  scene.set_bodies({test::sphere<2>({{0.12, 0.12}}, 0.05, {1e5, chi})});
+  const ExternalField<2> sources({test::uniform_source<2>({{outer_field, 0.}})});
+  scene.problem.solve(scene.content, sources);
+  FieldOutput<2> output(MPI_COMM_WORLD, folder, {"H_int"}, parameters.law);
+  output.write_frame(0, 0., scene.problem, scene.partition, scene.content, sources);
+
+  vtkNew<vtkXMLPUnstructuredGridReader> reader;
+  reader->SetFileName((folder + "/fields/fields_0000.pvtu").c_str());
+  reader->Update();
+  vtkUnstructuredGrid *grid = reader->GetOutput();
+  CHECK(grid->GetPointData()->GetNumberOfArrays() == 1);
+  vtkDataArray *field = grid->GetPointData()->GetArray("H_int [A/m]");
+  CHECK(field != nullptr);
+  if (field == nullptr)
+    return;
+
+  std::map<std::pair<long, long>, Vector<3>> seen;
+  double worst = 0.;
+  int n_shared = 0;
+  for (vtkIdType p = 0; p < grid->GetNumberOfPoints(); ++p)
+    {
+      double x[3];
+      Vector<3> value;
+      grid->GetPoint(p, x);
+      field->GetTuple(p, value.values);
+      const auto place = std::make_pair(std::lround(1e4 * x[0]), std::lround(1e4 * x[1]));
+      if (!seen.emplace(place, value).second)
+        {
+          ++n_shared;
+          worst = std::max(worst, norm(value - seen[place]));
+        }
+    }
+  CHECK(n_shared > 100);
+  CHECK(worst < 1e-6 * outer_field);
+}
+
+TEST_CASE("an unknown field quantity is an input error", "[io]")
+{
+  CHECK_THROWS_WITH(FieldOutput<2>(MPI_COMM_WORLD, ".", {"H", "flux"}, MagnetizationLaw::linear),
+                    "The field quantity 'flux' is unknown. Allowed are: potential, H_int, H, M, B, "
+                    "number_density.");
+}

@@ -49,7 +49,7 @@ TEMPLATE_TEST_CASE_SIG("A cell stencil reproduces linear functions",
     return 0.7 + 1.3 * x[0] - 2.1 * x[1] + 0.4 * x[dim - 1];
   };
   const CellStencil<dim> stencil;
-  PointValues<dim>       values;
+  PointValues<dim> values;
   stencil.interpolate(nodal_values<dim>(linear), values);
   for (int q = 0; q < n_points<dim>; ++q)
     for (int lane = 0; lane < n_lanes; ++lane)
@@ -67,8 +67,8 @@ TEMPLATE_TEST_CASE_SIG("A cell stencil tests with values and derivatives",
                        3)
 {
   const CellStencil<dim> stencil;
-  PointValues<dim>       tested;
-  double                 sum = 0.;
+  PointValues<dim> tested;
+  double sum = 0.;
   for (int i = 0; i < n_points<dim> * n_lanes; ++i)
     {
       tested[i] = std::sin(1. + i);
@@ -81,10 +81,9 @@ TEMPLATE_TEST_CASE_SIG("A cell stencil tests with values and derivatives",
     return result;
   };
 
-  const StencilValues<dim> u = nodal_values<dim>([](const Vector<dim> &x) {
-    return std::cos(3. * x[0]) + x[dim - 1] * x[0];
-  });
-  PointValues<dim>         u_at_points;
+  const StencilValues<dim> u =
+    nodal_values<dim>([](const Vector<dim> &x) { return std::cos(3. * x[0]) + x[dim - 1] * x[0]; });
+  PointValues<dim> u_at_points;
   stencil.interpolate(u, u_at_points);
   double expected = 0.;
   for (int q = 0; q < n_points<dim>; ++q)
@@ -119,11 +118,11 @@ TEMPLATE_TEST_CASE_SIG("A cell stencil gathers from the blocks around",
 {
   // The block at the origin, and all around but the last.
   std::vector<Index<dim>> blocks;
-  Index<dim>              origin = {};
+  Index<dim> origin = {};
   for (int n = 0; n < n_neighbours<dim> - 1; ++n)
     blocks.push_back(neighbour_block<dim>(origin, n));
   const BlockSet<dim> set(blocks, static_cast<int>(blocks.size()));
-  NodeField<dim>      field, ones;
+  NodeField<dim> field, ones;
   field.reinit(set.size());
   ones.reinit(set.size());
   for (int slot = 0; slot < set.size(); ++slot)
@@ -132,7 +131,7 @@ TEMPLATE_TEST_CASE_SIG("A cell stencil gathers from the blocks around",
         field.node(slot, node)[d] = node_of_block<dim>(set.block(slot), node)[d];
 
   const CellStencil<dim> stencil;
-  Index<dim>             corner;
+  Index<dim> corner;
   corner.fill(2);
   corner[0] = 0;
   StencilValues<dim> values;

@@ -15,8 +15,8 @@ TEMPLATE_TEST_CASE_SIG("Force without mass is handed inward",
                        3)
 {
   const double dx = 0.25;
-  Scene<dim>   scene(16, dx, 2., {});
-  Vector<dim>  centre;
+  Scene<dim> scene(16, dx, 2., {});
+  Vector<dim> centre;
   for (int d = 0; d < dim; ++d)
     centre[d] = 2.1 + 0.05 * d;
   scene.set_bodies({sphere<dim>(centre, 1.2, {1., 1.})});

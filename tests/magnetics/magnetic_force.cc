@@ -35,7 +35,7 @@ namespace
   struct Force
   {
     Vector<dim> total, dropped;
-    double      absolute = 0.; ///< sum over the nodes of |f_i|
+    double absolute = 0.; ///< sum over the nodes of |f_i|
 
     Vector<n_axial_components<dim>> torque; ///< about @p centre
   };
@@ -44,7 +44,7 @@ namespace
   Force<dim>
   force_on_nodes(const Scene<dim> &scene, const Vector<dim> &centre)
   {
-    Force<dim>     result;
+    Force<dim> result;
     NodeField<dim> force;
     result.dropped = scene.problem.compute_force(scene.mass, force);
     scene.for_owned_nodes([&](const int slot, const int node, const Vector<dim> &x) {
@@ -54,7 +54,9 @@ namespace
       result.torque += cross(x - centre, f);
       result.absolute += norm(f);
     });
-    const auto sum = [](double &value) { value = dealii::Utilities::MPI::sum(value, MPI_COMM_WORLD); };
+    const auto sum = [](double &value) {
+      value = dealii::Utilities::MPI::sum(value, MPI_COMM_WORLD);
+    };
     for (double &component : result.total.values)
       sum(component);
     for (double &component : result.torque.values)
@@ -72,7 +74,7 @@ TEMPLATE_TEST_CASE_SIG("There is no net force in a uniform field",
                        2,
                        3)
 {
-  Scene<dim>        scene(32, spacing, 2., linear_law<dim>());
+  Scene<dim> scene(32, spacing, 2., linear_law<dim>());
   const Vector<dim> centre = lattice_point<dim>(16.2, 15.9, 16.4);
   scene.set_bodies({sphere<dim>(centre, 8. * spacing, {1., 0.91})});
   Vector<dim> field;
@@ -96,7 +98,7 @@ TEMPLATE_TEST_CASE_SIG("A small sphere is drawn like a dipole",
                        2,
                        3)
 {
-  Scene<dim>        scene(64, spacing, 2., linear_law<dim>());
+  Scene<dim> scene(64, spacing, 2., linear_law<dim>());
   const Vector<dim> centre = lattice_point<dim>(41.3, 33.6, 47.2);
   scene.set_bodies({sphere<dim>(centre, 4. * spacing, {1., 0.91})});
   Vector<dim> magnetization;
@@ -106,12 +108,14 @@ TEMPLATE_TEST_CASE_SIG("A small sphere is drawn like a dipole",
     {sphere_source<dim>(lattice_point<dim>(20., 20., 10.), 6. * spacing, magnetization)});
   const SolveReport report = scene.problem.solve(scene.content, sources);
 
-  const Vector<dim> field  = sources.field(centre);
-  const double      moment = -2. * report.energy / (constants::vacuum_permeability * norm(field));
-  const Vector<dim> exact  = (constants::vacuum_permeability * moment / norm(field)) *
+  const Vector<dim> field = sources.field(centre);
+  const double moment     = -2. * report.energy / (constants::vacuum_permeability * norm(field));
+  const Vector<dim> exact = (constants::vacuum_permeability * moment / norm(field)) *
                             (sources.field_gradient(centre) * field);
   const Force<dim> force = force_on_nodes(scene, centre);
-  print_once("sphere of R = 4 dx as a dipole, %dD: error of the force %.1e", dim, norm(force.total - exact) / norm(exact));
+  print_once("sphere of R = 4 dx as a dipole, %dD: error of the force %.1e",
+             dim,
+             norm(force.total - exact) / norm(exact));
   CHECK(norm(force.total - exact) < 0.02 * norm(exact));
 }
 
@@ -123,7 +127,7 @@ TEMPLATE_TEST_CASE_SIG("The force is the derivative of the energy",
                        2,
                        3)
 {
-  Scene<dim>  scene(64, spacing, 2., linear_law<dim>());
+  Scene<dim> scene(64, spacing, 2., linear_law<dim>());
   Vector<dim> magnetization;
   magnetization[0] = 1e6;
   const ExternalField<dim> sources(
@@ -153,13 +157,13 @@ TEMPLATE_TEST_CASE_SIG("An oblique spheroid turns into the field",
                        2,
                        3)
 {
-  const double      long_axis = 10. * spacing, short_axis = 5. * spacing, chi = 3.;
+  const double long_axis = 10. * spacing, short_axis = 5. * spacing, chi = 3.;
   const Vector<dim> centre = lattice_point<dim>(16., 16., 16.);
-  TestBody<dim>     body;
+  TestBody<dim> body;
   body.contains = [=](const Vector<dim> &x) {
-    const Vector<dim> r     = x - centre;
-    const double      along = std::sqrt(0.5) * (r[0] + r[1]);
-    const double      rest  = norm_square(r) - along * along;
+    const Vector<dim> r = x - centre;
+    const double along  = std::sqrt(0.5) * (r[0] + r[1]);
+    const double rest   = norm_square(r) - along * along;
     return along * along / (long_axis * long_axis) + rest / (short_axis * short_axis) < 1.;
   };
   body.material = {1., chi};
@@ -171,16 +175,17 @@ TEMPLATE_TEST_CASE_SIG("An oblique spheroid turns into the field",
   Scene<dim> scene(32, spacing, 2., linear_law<dim>());
   scene.set_bodies({body});
   const double strength = 1e5;
-  const auto   energy   = [&](const double x, const double y) {
+  const auto energy     = [&](const double x, const double y) {
     Vector<dim> field;
     field[0] = strength * x;
     field[1] = strength * y;
-    return scene.problem.solve(scene.content, ExternalField<dim>({uniform_source<dim>(field)})).energy;
+    return scene.problem.solve(scene.content, ExternalField<dim>({uniform_source<dim>(field)}))
+      .energy;
   };
   const double along_y = energy(0., 1.), along_both = energy(1., 1.), along_x = energy(1., 0.);
   const double of_moment = along_both - along_x - along_y; // -mu_0 A_xy H^2 = mu_0 (m x H_0)_z
-  const Force<dim> force  = force_on_nodes(scene, centre);
-  const double     torque = force.torque[n_axial_components<dim> - 1];
+  const Force<dim> force = force_on_nodes(scene, centre);
+  const double torque    = force.torque[n_axial_components<dim> - 1];
   CHECK(torque == Approx(of_moment).epsilon(0.01));
   CHECK(norm(force.total) < 1e-3 * force.absolute);
 
@@ -188,11 +193,15 @@ TEMPLATE_TEST_CASE_SIG("An oblique spheroid turns into the field",
   const double e       = std::sqrt(1. - 0.25);
   const double n_long  = (dim == 2 ? 1. / 3. : 0.25 / (e * e * e) * (std::atanh(e) - e));
   const double n_short = (dim == 2 ? 2. / 3. : 0.5 * (1. - n_long));
-  const double volume  = (dim == 2 ? constants::pi * long_axis * short_axis :
-                                     4. / 3. * constants::pi * long_axis * short_axis * short_axis);
-  const double exact = -0.5 * constants::vacuum_permeability * volume * strength * strength *
+  const double volume  = (dim == 2 ? constants::pi * long_axis * short_axis
+                                   : 4. / 3. * constants::pi * long_axis * short_axis * short_axis);
+  const double exact   = -0.5 * constants::vacuum_permeability * volume * strength * strength *
                        (chi / (1. + n_long * chi) - chi / (1. + n_short * chi));
-  print_once("torque on a spheroid, %dD: %.6g, mu_0 m x H_0 %.6g, of the exact m %.6g", dim, torque, of_moment, exact);
+  print_once("torque on a spheroid, %dD: %.6g, mu_0 m x H_0 %.6g, of the exact m %.6g",
+             dim,
+             torque,
+             of_moment,
+             exact);
   CHECK(torque < 0.); // clockwise, into the field
   CHECK(torque == Approx(exact).epsilon(0.2));
 }

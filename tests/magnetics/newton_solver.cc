@@ -18,7 +18,7 @@ namespace
   {
   public:
     std::function<double(double)> function, derivative;
-    VectorType                    slope;
+    VectorType slope;
 
     void
     evaluate(const VectorType &x, VectorType &residual) override
@@ -53,7 +53,7 @@ namespace
 // atan(x) = 0 from x = 3 is found with halved steps. The undamped method diverges from |x| > 1.39.
 TEST_CASE("Newton's method converges with a line search where it would diverge", "[magnetics]")
 {
-  Uncoupled  problem = arctangent();
+  Uncoupled problem = arctangent();
   VectorType x(2);
   x(0)                      = 3.;
   x(1)                      = -20.;
@@ -99,7 +99,7 @@ TEST_CASE("Newton's method says how far it came when it fails", "[magnetics]")
   Uncoupled problem;
   problem.function   = [](const double x) { return std::exp(x); };
   problem.derivative = [](const double x) { return std::exp(x); };
-  VectorType  x(1);
+  VectorType x(1);
   std::string message;
   try
     {

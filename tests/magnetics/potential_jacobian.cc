@@ -23,12 +23,8 @@ namespace
         centre[d] = spacing * (8.3 + 0.2 * d);
       scene.set_bodies({sphere<dim>(centre, 3. * spacing, {9e4, 3.})});
       space = std::make_unique<PotentialSpace<dim>>(scene.mesh, false);
-      material.reinit(space->lattice_cells,
-                      scene.partition.blocks(),
-                      scene.content,
-                      sources,
-                      scene.lattice,
-                      law);
+      material.reinit(
+        space->lattice_cells, scene.partition.blocks(), scene.content, sources, scene.lattice, law);
       boundary = std::make_unique<OpenBoundary<dim>>(*space, std::array<bool, 2 * dim>{}, centre);
 
       jacobian.initialize(space->matrix_free);
@@ -71,14 +67,14 @@ namespace
       return field;
     }
 
-    static constexpr double              spacing = 0.01;
-    Scene<dim>                           scene;
-    ExternalField<dim>                   sources;
+    static constexpr double spacing = 0.01;
+    Scene<dim> scene;
+    ExternalField<dim> sources;
     std::unique_ptr<PotentialSpace<dim>> space;
-    MaterialPoints<dim>                  material;
-    std::unique_ptr<OpenBoundary<dim>>   boundary;
-    PotentialOperator<dim, double>       jacobian;
-    PotentialResidual<dim>               residual;
+    MaterialPoints<dim> material;
+    std::unique_ptr<OpenBoundary<dim>> boundary;
+    PotentialOperator<dim, double> jacobian;
+    PotentialResidual<dim> residual;
   };
 
   /** Of the test potentials [A]: fields of order H_ext. */
@@ -94,18 +90,17 @@ TEMPLATE_TEST_CASE_SIG("The matrix-free Jacobian is the assembled matrix",
                        3)
 {
   JacobianTest<dim> test(MagnetizationLaw::langevin);
-  PotentialVector   potential = test.arbitrary(0.);
+  PotentialVector potential = test.arbitrary(0.);
   potential *= amplitude;
   test.linearize(potential);
 
   MLPreconditioner<dim> assembled(*test.space);
-  assembled.rebuild({[&](const unsigned int cell) {
-                       return test.residual.permeability(test.material, cell);
-                     },
-                     *test.boundary});
+  assembled.rebuild(
+    {[&](const unsigned int cell) { return test.residual.permeability(test.material, cell); },
+     *test.boundary});
 
   const PotentialVector x = test.arbitrary(0.3), y = test.arbitrary(2.);
-  PotentialVector       matrix_free(x), with_matrix(x);
+  PotentialVector matrix_free(x), with_matrix(x);
   test.jacobian.vmult(matrix_free, x);
   assembled.matrix().vmult(with_matrix, x);
   test.space->constraints.set_zero(with_matrix);
@@ -130,22 +125,22 @@ TEMPLATE_TEST_CASE_SIG("Jacobian, residual and energy belong together",
                        3)
 {
   JacobianTest<dim> test(MagnetizationLaw::langevin);
-  PotentialVector   potential = test.arbitrary(0.);
+  PotentialVector potential = test.arbitrary(0.);
   potential *= amplitude;
   const PotentialVector direction = test.arbitrary(0.9);
-  const double          step      = 1e-4 * amplitude;
+  const double step               = 1e-4 * amplitude;
 
   PotentialVector shifted(potential);
   shifted.add(step, direction);
-  PotentialVector difference   = test.linearize(shifted);
-  const double    energy_above = test.residual.energy();
+  PotentialVector difference = test.linearize(shifted);
+  const double energy_above  = test.residual.energy();
   shifted.add(-2. * step, direction);
   difference -= test.linearize(shifted);
   const double energy_below = test.residual.energy();
   difference /= 2. * step;
 
   const PotentialVector residual = test.linearize(potential);
-  PotentialVector       product(potential);
+  PotentialVector product(potential);
   test.jacobian.vmult(product, direction);
   const double norm = product.l2_norm();
   product -= difference;
@@ -165,12 +160,11 @@ TEMPLATE_TEST_CASE_SIG("The matrix-free diagonal is that of the matrix",
   test.linearize(test.arbitrary(0.));
   test.jacobian.compute_diagonal();
   MLPreconditioner<dim> assembled(*test.space);
-  assembled.rebuild({[&](const unsigned int cell) {
-                       return test.residual.permeability(test.material, cell);
-                     },
-                     *test.boundary});
+  assembled.rebuild(
+    {[&](const unsigned int cell) { return test.residual.permeability(test.material, cell); },
+     *test.boundary});
   const auto &inverse = test.jacobian.get_matrix_diagonal_inverse()->get_vector();
-  double      error   = 0.;
+  double error        = 0.;
   for (const auto i : inverse.locally_owned_elements())
     if (!test.space->constraints.is_constrained(i))
       error = std::max(error, std::abs(inverse(i) * assembled.matrix().diag_element(i) - 1.));

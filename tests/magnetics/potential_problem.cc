@@ -59,7 +59,7 @@ namespace
       return sphere_source<dim>(centre, 0.1, magnetization);
     }
 
-    Scene<dim>         scene;
+    Scene<dim> scene;
     ExternalField<dim> sources;
   };
 
@@ -93,11 +93,10 @@ TEMPLATE_TEST_CASE_SIG("Newton's method takes at most four steps at the paper's 
       MagneticsParameters<dim> parameters;
       parameters.preconditioner = preconditioner;
       CubeOverMagnet<dim> test(parameters);
-      dealii::Timer       timer;
-      const SolveReport   first = test.solve();
-      print<dim>(preconditioner == Preconditioner::gmg ? "cube, GMG" : "cube, ML",
-                 first,
-                 timer.wall_time());
+      dealii::Timer timer;
+      const SolveReport first = test.solve();
+      print<dim>(
+        preconditioner == Preconditioner::gmg ? "cube, GMG" : "cube, ML", first, timer.wall_time());
       CHECK(first.newton.steps <= 4);
       CHECK(first.relative_initial_residual() == 1.);
       CHECK(first.relative_final_residual() <= 1e-10);
@@ -129,7 +128,7 @@ TEMPLATE_TEST_CASE_SIG("Newton's method takes no more steps than needed",
 {
   MagneticsParameters<dim> parameters;
   parameters.law = MagnetizationLaw::linear;
-  Scene<dim>  scene(16, spacing, 2., parameters);
+  Scene<dim> scene(16, spacing, 2., parameters);
   Vector<dim> centre, field;
   for (int d = 0; d < dim; ++d)
     centre[d] = 8. * spacing;
@@ -183,7 +182,7 @@ TEMPLATE_TEST_CASE_SIG("The potential does not depend on the preconditioner",
           CHECK(report.relative_initial_residual() == 1.);
         }
       PotentialVector difference = gmg.problem.solution().potential;
-      const double    size       = difference.linfty_norm();
+      const double size          = difference.linfty_norm();
       difference -= ml.problem.solution().potential;
       CHECK(difference.linfty_norm() < 1e-8 * size);
     }
@@ -195,27 +194,31 @@ TEST_CASE("The force does not depend on the number of ranks", "[magnetics][mpi]"
 {
   MagneticsParameters<3> parameters;
   parameters.newton_tolerance = 1e-13;
-  Scene<3>               scene(32, spacing, 2., parameters);
-  const ExternalField<3> sources(
-    {sphere_source<3>({{0.13, 0.1, 0.02}}, 0.05, {{3e5, -2e5, 1e6}}), uniform_source<3>({{0., 1e4, 0.}})});
+  Scene<3> scene(32, spacing, 2., parameters);
+  const ExternalField<3> sources({sphere_source<3>({{0.13, 0.1, 0.02}}, 0.05, {{3e5, -2e5, 1e6}}),
+                                  uniform_source<3>({{0., 1e4, 0.}})});
   scene.set_bodies({sphere<3>({{0.12, 0.135, 0.15}}, 6. * spacing, grains(2.))});
   const SolveReport report = scene.problem.solve(scene.content, sources);
-  NodeField<3>      force, field;
+  NodeField<3> force, field;
   scene.problem.compute_force(scene.mass, force);
   scene.problem.compute_field(field);
-  const auto first_moment = [](const Vector<3> &x) { return x[0] - 2. * x[1] + 3. * x[2]; };
-  const double figures[]  = {report.energy,
-                            scene.sum(force, 0),
-                            scene.sum(force, 1),
-                            scene.sum(force, 2),
-                            scene.sum(force, 1, first_moment),
-                            scene.sum(field, 2, first_moment)};
-  const double on_one_rank[] = {0., 0., 0., 0., 0., 0.};
+  const auto first_moment    = [](const Vector<3> &x) { return x[0] - 2. * x[1] + 3. * x[2]; };
+  const double figures[]     = {report.energy,
+                                scene.sum(force, 0),
+                                scene.sum(force, 1),
+                                scene.sum(force, 2),
+                                scene.sum(force, 1, first_moment),
+                                scene.sum(field, 2, first_moment)};
+  const double on_one_rank[] = {-0.651353067211409,
+                                4.1274478292322,
+                                -7.23353535163182,
+                                -25.0827196044656,
+                                -1.65266792838744,
+                                33952958.971368};
   for (int i = 0; i < 6; ++i)
     {
       CAPTURE(i);
       CHECK(figures[i] == Approx(on_one_rank[i]).epsilon(1e-10));
-      print_once("figure %d: %.15g", i, figures[i]);
     }
 }
 
@@ -225,7 +228,7 @@ TEST_CASE("A potential that is not found is an error", "[magnetics][mpi]")
 {
   MagneticsParameters<2> parameters;
   parameters.max_cg_iterations = 1;
-  Scene<2>               scene(16, spacing, 2., parameters);
+  Scene<2> scene(16, spacing, 2., parameters);
   const ExternalField<2> sources({uniform_source<2>({{1e5, 0.}})});
   scene.set_bodies({sphere<2>({{8. * spacing, 8. * spacing}}, 4. * spacing, grains(10.))});
   CHECK_THROWS_WITH(scene.problem.solve(scene.content, sources),

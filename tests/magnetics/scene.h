@@ -20,8 +20,8 @@ namespace magmpm::test
   struct TestBody
   {
     std::function<bool(const Vector<dim> &)> contains;
-    Vector<dim>                              lower, upper; ///< of a box around it [m]
-    MagneticContent                          material;
+    Vector<dim> lower, upper; ///< of a box around it [m]
+    MagneticContent material;
   };
 
   template <int dim>
@@ -68,37 +68,41 @@ namespace magmpm::test
      * @param n_cells  lattice cells along an edge of the mechanical box; its corner is the origin.
      * @param factor   of the potential box.
      */
-    Scene(const int                        n_cells,
-          const double                     spacing,
-          const double                     factor,
-          const MagneticsParameters<dim>  &magnetics,
-          const std::array<bool, 2 * dim> &shielded = {})
+    Scene(const int n_cells,
+          const double spacing,
+          const double factor,
+          const MagneticsParameters<dim> &magnetics,
+          const std::array<bool, 2 *dim> &shielded = {})
       : lattice(make_lattice(n_cells, spacing))
       , mesh(MPI_COMM_WORLD, lattice, make_mesh_parameters(factor, shielded))
       , partition(mesh)
       , silent(std::cout, false)
       , timer(silent, dealii::TimerOutput::never, dealii::TimerOutput::wall_times)
       , problem(mesh, partition, with_shields(magnetics, shielded), timer)
-    {}
+    {
+    }
 
     /** Puts bodies in place of those before; mesh, partition and node fields follow. Collective. */
     void
     set_bodies(const std::vector<TestBody<dim>> &bodies, const int samples_per_cell_edge = 5);
 
-    const Lattice<dim>         lattice;
-    BackgroundMesh<dim>        mesh;
-    BlockPartition<dim>        partition;
+    const Lattice<dim> lattice;
+    BackgroundMesh<dim> mesh;
+    BlockPartition<dim> partition;
     dealii::ConditionalOStream silent;
-    dealii::TimerOutput        timer;
-    PotentialProblem<dim>      problem;
-    NodeField<dim>             content; ///< {v, density of M_s, density of chi_0, 1}
-    NodeField<dim>             mass;    ///< lane 3: v dx^dim, as of density 1
+    dealii::TimerOutput timer;
+    PotentialProblem<dim> problem;
+    NodeField<dim> content; ///< {v, density of M_s, density of chi_0, 1}
+    NodeField<dim> mass;    ///< lane 3: v dx^dim, as of density 1
 
     /** Sum over the nodes of all ranks of weight(position) times a lane of @p field. */
     double
-    sum(const NodeField<dim>                            &field,
-        const int                                        lane,
-        const std::function<double(const Vector<dim> &)> &weight = [](const auto &) { return 1.; }) const
+    sum(
+      const NodeField<dim> &field,
+      const int lane,
+      const std::function<double(const Vector<dim> &)> &weight = [](const auto &) {
+        return 1.;
+      }) const
     {
       double result = 0.;
       for_owned_nodes([&](const int slot, const int node, const Vector<dim> &position) {
@@ -146,14 +150,14 @@ namespace magmpm::test
 
     struct Sample
     {
-      Vector<dim>     position;
+      Vector<dim> position;
       MagneticContent material;
     };
 
     std::unordered_map<std::uint64_t, std::vector<Sample>>
     sample(const std::vector<TestBody<dim>> &bodies,
-           const int                         per_edge,
-           std::vector<Index<dim>>          &blocks) const;
+           const int per_edge,
+           std::vector<Index<dim>> &blocks) const;
 
     void
     scatter(const Sample &sample, const double volume);
@@ -162,15 +166,15 @@ namespace magmpm::test
   template <int dim>
   std::unordered_map<std::uint64_t, std::vector<typename Scene<dim>::Sample>>
   Scene<dim>::sample(const std::vector<TestBody<dim>> &bodies,
-                     const int                         per_edge,
-                     std::vector<Index<dim>>          &blocks) const
+                     const int per_edge,
+                     std::vector<Index<dim>> &blocks) const
   {
     std::unordered_map<std::uint64_t, std::vector<Sample>> samples;
-    const double                                           distance = lattice.spacing / per_edge;
+    const double distance = lattice.spacing / per_edge;
     for (const TestBody<dim> &body : bodies)
       {
         Index<dim> first, n;
-        int        total = 1;
+        int total = 1;
         for (int d = 0; d < dim; ++d)
           {
             first[d] = static_cast<int>(std::floor(body.lower[d] / distance));
@@ -179,13 +183,13 @@ namespace magmpm::test
           }
         for (int i = 0; i < total; ++i)
           {
-            Sample     sample = {{}, body.material};
+            Sample sample = {{}, body.material};
             Index<dim> cell;
             for (int d = 0, rest = i; d < dim; ++d, rest /= n[d - 1])
               {
                 const int place    = first[d] + rest % n[d];
                 sample.position[d] = (place + 0.5) * distance;
-                cell[d]            = static_cast<int>(std::floor(sample.position[d] / lattice.spacing));
+                cell[d] = static_cast<int>(std::floor(sample.position[d] / lattice.spacing));
               }
             if (!body.contains(sample.position))
               continue;
@@ -204,16 +208,16 @@ namespace magmpm::test
   {
     // Every rank knows all samples, tells the mesh of its share, and scatters those it owns.
     std::vector<Index<dim>> blocks;
-    const auto              samples = sample(bodies, per_edge, blocks);
-    const unsigned int      rank    = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
-    const unsigned int      n_ranks = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+    const auto samples         = sample(bodies, per_edge, blocks);
+    const unsigned int rank    = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
+    const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
     std::vector<Index<dim>> share;
     for (std::size_t b = rank; b < blocks.size(); b += n_ranks)
       share.push_back(blocks[b]);
     mesh.adapt(share, std::vector<unsigned int>(share.size(), 512));
 
     const std::vector<unsigned int> owners = mesh.owners(blocks);
-    std::vector<Index<dim>>         occupied;
+    std::vector<Index<dim>> occupied;
     for (std::size_t b = 0; b < blocks.size(); ++b)
       if (owners[b] == rank)
         occupied.push_back(blocks[b]);
@@ -234,16 +238,16 @@ namespace magmpm::test
   void
   Scene<dim>::scatter(const Sample &sample, const double volume)
   {
-    const BlockSet<dim> &blocks  = partition.blocks();
-    const Index<dim>     base    = lattice.base_node(sample.position);
-    const Vector<dim>    reduced = lattice.reduced(sample.position);
-    double               weights[dim][stencil_width];
+    const BlockSet<dim> &blocks = partition.blocks();
+    const Index<dim> base       = lattice.base_node(sample.position);
+    const Vector<dim> reduced   = lattice.reduced(sample.position);
+    double weights[dim][stencil_width];
     for (int d = 0; d < dim; ++d)
       quadratic_bspline(reduced[d] - base[d], weights[d]);
 
     for (int i = 0; i < power(stencil_width, dim); ++i)
       {
-        double     weight = volume;
+        double weight = volume;
         Index<dim> node;
         for (int d = 0, rest = i; d < dim; ++d, rest /= stencil_width)
           {
@@ -251,8 +255,8 @@ namespace magmpm::test
             weight *= weights[d][rest % stencil_width];
           }
         const Index<dim> block = block_of<dim>(node);
-        const int        other = blocks.slot(block);
-        int              number = 0;
+        const int other        = blocks.slot(block);
+        int number             = 0;
         for (int d = dim - 1; d >= 0; --d)
           number = block_edge * number + node[d] - block_edge * block[d];
         double *lanes = content.node(other, number);
@@ -282,7 +286,7 @@ namespace magmpm::test
   vector_text(const Vector<dim> &v)
   {
     std::string text;
-    char        number[64];
+    char number[64];
     for (int d = 0; d < dim; ++d)
       {
         std::snprintf(number, sizeof(number), "%.17g", v[d]);

@@ -26,7 +26,7 @@ namespace
     for (int i = 0; i < 100; ++i)
       {
         Vector<dim> field;
-        field[0]           = 0.5 * (below + above);
+        field[0]            = 0.5 * (below + above);
         const double excess = field[0] + magnetization<dim>(law, material, field)[0] / dim;
         (excess > outer_field ? above : below) = field[0];
       }
@@ -38,13 +38,13 @@ namespace
   class SphereInField
   {
   public:
-    SphereInField(const int                        n_cells,
-                  const double                     radius_in_cells,
-                  const MagneticContent           &material,
-                  const double                     outer_field,
-                  const MagneticsParameters<dim>  &parameters,
-                  const double                     box_factor = 2.,
-                  const std::array<bool, 2 * dim> &shielded   = {})
+    SphereInField(const int n_cells,
+                  const double radius_in_cells,
+                  const MagneticContent &material,
+                  const double outer_field,
+                  const MagneticsParameters<dim> &parameters,
+                  const double box_factor                  = 2.,
+                  const std::array<bool, 2 *dim> &shielded = {})
       : scene(n_cells, spacing, box_factor, parameters, shielded)
       , outer_field(outer_field)
     {
@@ -79,14 +79,14 @@ namespace
     double
     relative_moment(const double susceptibility) const
     {
-      const double volume = (dim == 3 ? 4. / 3. * constants::pi * std::pow(radius, 3) :
-                                        constants::pi * radius * radius);
+      const double volume = (dim == 3 ? 4. / 3. * constants::pi * std::pow(radius, 3)
+                                      : constants::pi * radius * radius);
       const double exact  = volume * susceptibility / (1. + susceptibility / dim) * outer_field;
       return -2. * report.energy / (constants::vacuum_permeability * outer_field) / exact;
     }
 
-    Scene<dim>  scene;
-    double      outer_field, radius;
+    Scene<dim> scene;
+    double outer_field, radius;
     Vector<dim> centre;
     SolveReport report;
   };
@@ -114,9 +114,12 @@ TEMPLATE_TEST_CASE_SIG("The field in a magnetized sphere is right",
   for (const MagnetizationLaw law : {MagnetizationLaw::langevin, MagnetizationLaw::linear})
     {
       const SphereInField<dim> test(32, 8., grains(0.91), outer_field, with_law<dim>(law));
-      const double             error =
-        test.inner_field() / exact_field<dim>(law, grains(0.91), outer_field) - 1.;
-      print_once("field in a %s, R = 8 dx, %dD: error %.2e", law == MagnetizationLaw::linear ? "linear sphere" : "Langevin sphere", dim, error);
+      const double error = test.inner_field() / exact_field<dim>(law, grains(0.91), outer_field) -
+                           1.;
+      print_once("field in a %s, R = 8 dx, %dD: error %.2e",
+                 law == MagnetizationLaw::linear ? "linear sphere" : "Langevin sphere",
+                 dim,
+                 error);
       CHECK(error > 0.);
       CHECK(error < (law == MagnetizationLaw::langevin ? 0.007 : 0.0135));
     }
@@ -132,7 +135,8 @@ TEMPLATE_TEST_CASE_SIG("The moment of a sphere converges", "[magnetics]", ((int 
     return test.relative_moment(0.91) - 1.;
   };
   const double coarse = excess(4.), fine = excess(8.);
-  print_once("moment of a linear sphere, %dD: error %.2e (R = 4 dx), %.2e (8 dx)", dim, coarse, fine);
+  print_once(
+    "moment of a linear sphere, %dD: error %.2e (R = 4 dx), %.2e (8 dx)", dim, coarse, fine);
   CHECK(fine > 0.);
   CHECK(coarse / fine == Approx(2.).epsilon(0.1));
   CHECK(8. * fine == Approx(0.35).epsilon(0.1));
@@ -148,15 +152,16 @@ TEST_CASE("Large susceptibilities converge", "[magnetics]")
         32, 8., grains(chi), 1e5, with_law<3>(MagnetizationLaw::linear));
       const SphereInField<3> saturated(
         32, 8., grains(chi), 9e5, with_law<3>(MagnetizationLaw::langevin));
-      print_once("chi_0 = %g: linear CG %d, error of H %.2f, of the moment %.2f; saturated Newton %d, line "
-                 "search %d, CG %d",
-                 chi,
-                 linear.report.newton.linear_iterations,
-                 linear.inner_field() / exact_field<3>(MagnetizationLaw::linear, grains(chi), 1e5) - 1.,
-                 linear.relative_moment(chi) - 1.,
-                 saturated.report.newton.steps,
-                 saturated.report.newton.line_search_steps,
-                 saturated.report.newton.linear_iterations);
+      print_once(
+        "chi_0 = %g: linear CG %d, error of H %.2f, of the moment %.2f; saturated Newton %d, line "
+        "search %d, CG %d",
+        chi,
+        linear.report.newton.linear_iterations,
+        linear.inner_field() / exact_field<3>(MagnetizationLaw::linear, grains(chi), 1e5) - 1.,
+        linear.relative_moment(chi) - 1.,
+        saturated.report.newton.steps,
+        saturated.report.newton.line_search_steps,
+        saturated.report.newton.linear_iterations);
       CHECK(linear.report.newton.steps == 1);
       CHECK(linear.report.newton.linear_iterations <= 20);
       CHECK(linear.inner_field() < 1.6 * 1e5 / (1. + chi / 3.));
@@ -177,7 +182,10 @@ TEMPLATE_TEST_CASE_SIG("Open faces are far away", "[magnetics][mpi]", ((int dim)
     return test.report.energy;
   };
   const double far = energy(8., false), near = energy(2., false), shielded = energy(2., true);
-  print_once("box of 3 radii, %dD: energy changes by %.1e (open), %.1e (shielded)", dim, near / far - 1., shielded / far - 1.);
+  print_once("box of 3 radii, %dD: energy changes by %.1e (open), %.1e (shielded)",
+             dim,
+             near / far - 1.,
+             shielded / far - 1.);
   CHECK(near == Approx(far).epsilon(dim == 2 ? 5e-4 : 1e-4));
   CHECK(std::abs(shielded / far - 1.) > 5e-3);
 }
@@ -204,12 +212,12 @@ TEMPLATE_TEST_CASE_SIG("All faces can be shielded", "[magnetics][mpi]", ((int di
 // without a gap, and the open faces to see a row of bodies without end.
 TEMPLATE_TEST_CASE_SIG("Shielded faces are mirrors", "[magnetics][mpi]", ((int dim), dim), 2, 3)
 {
-  std::array<bool, 2 * dim> ends = {};
+  std::array<bool, 2 *dim> ends = {};
   ends[2 * dim - 2] = ends[2 * dim - 1] = true;
-  Scene<dim>       scene(16, spacing, 2., with_law<dim>(MagnetizationLaw::linear), ends);
-  const double     centre = 8.1 * spacing, radius = 6. * spacing;
-  TestBody<dim>    body;
-  const auto       distance = [centre](const Vector<dim> &x) {
+  Scene<dim> scene(16, spacing, 2., with_law<dim>(MagnetizationLaw::linear), ends);
+  const double centre = 8.1 * spacing, radius = 6. * spacing;
+  TestBody<dim> body;
+  const auto distance = [centre](const Vector<dim> &x) {
     return dim == 3 ? std::hypot(x[0] - centre, x[1] - centre) : std::abs(x[0] - centre);
   };
   body.contains = [&](const Vector<dim> &x) { return distance(x) < radius; };
@@ -237,7 +245,10 @@ TEMPLATE_TEST_CASE_SIG("Shielded faces are mirrors", "[magnetics][mpi]", ((int d
   lowest             = dealii::Utilities::MPI::min(lowest, MPI_COMM_WORLD);
   highest            = dealii::Utilities::MPI::max(highest, MPI_COMM_WORLD);
   const double exact = 1e5 / (dim == 2 ? 2. : 1.5);
-  print_once("from mirror to mirror, %dD: error of H from %.1e to %.1e", dim, lowest / exact - 1., highest / exact - 1.);
+  print_once("from mirror to mirror, %dD: error of H from %.1e to %.1e",
+             dim,
+             lowest / exact - 1.,
+             highest / exact - 1.);
   CHECK(lowest == Approx(exact).epsilon(dim == 2 ? 1e-3 : 0.02));
   CHECK(highest == Approx(exact).epsilon(dim == 2 ? 1e-3 : 0.02));
 }

@@ -36,10 +36,10 @@ namespace magmpm
      * @param law         of the magnetization, as of the potential problem.
      * @throw InputError if a name is unknown, RunError if the folder cannot be made.
      */
-    FieldOutput(const MPI_Comm                  communicator,
-                const std::string              &directory,
+    FieldOutput(const MPI_Comm communicator,
+                const std::string &directory,
                 const std::vector<std::string> &quantities,
-                const MagnetizationLaw          law);
+                const MagnetizationLaw law);
 
     /**
      * Writes one frame: the potential of the last solve, with sources and content as they are now (in
@@ -50,22 +50,22 @@ namespace magmpm
      * @param content  as PotentialProblem::solve() takes it.
      */
     void
-    write_frame(const unsigned int           frame,
-                const double                 time,
+    write_frame(const unsigned int frame,
+                const double time,
                 const PotentialProblem<dim> &potential,
-                const BlockPartition<dim>   &partition,
-                const NodeField<dim>        &content,
-                const ExternalField<dim>    &sources);
+                const BlockPartition<dim> &partition,
+                const NodeField<dim> &content,
+                const ExternalField<dim> &sources);
 
     /** The names of all quantities. */
     static const std::vector<std::string> &
     quantity_names();
 
   private:
-    const MPI_Comm                 communicator;
-    const std::string              directory;
+    const MPI_Comm communicator;
+    const std::string directory;
     const std::vector<std::string> quantities;
-    const MagnetizationLaw         law;
-    PvdRecord                      record;
+    const MagnetizationLaw law;
+    PvdRecord record;
   };
 } // namespace magmpm

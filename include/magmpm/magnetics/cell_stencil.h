@@ -46,19 +46,19 @@ namespace magmpm
      * @param corner  the cell's lower node within the block: 0 or 2 per axis.
      */
     void
-    gather(const NodeField<dim>     &field,
-           const BlockSet<dim>      &blocks,
-           const int                 slot,
-           const Index<dim>         &corner,
-           StencilValues<dim>       &values) const;
+    gather(const NodeField<dim> &field,
+           const BlockSet<dim> &blocks,
+           const int slot,
+           const Index<dim> &corner,
+           StencilValues<dim> &values) const;
 
     /** Adds to the nodes around a cell, apart from those of blocks that are not active. */
     void
     scatter_add(const StencilValues<dim> &values,
-                const BlockSet<dim>      &blocks,
-                const int                 slot,
-                const Index<dim>         &corner,
-                NodeField<dim>           &field) const;
+                const BlockSet<dim> &blocks,
+                const int slot,
+                const Index<dim> &corner,
+                NodeField<dim> &field) const;
 
     /** Sum_i N_i(x_q) values_i at every quadrature point. */
     void
@@ -71,8 +71,8 @@ namespace magmpm
     /** The same with dN_i/dx_axis, in units of 1/dx. */
     void
     add_tested_by_derivative(const PointValues<dim> &values,
-                             const int               axis,
-                             StencilValues<dim>     &result) const;
+                             const int axis,
+                             StencilValues<dim> &result) const;
 
   private:
     /** Where a node of the stencil lies, seen from the block of the cell. */
@@ -84,8 +84,8 @@ namespace magmpm
 
     using Places = std::array<Place, n_stencil_nodes<dim>>;
     std::array<Places, power(2, dim)> places; ///< by position of the cell in its block
-    double                            value_matrix[n_points_1d][stencil_edge];
-    double                            derivative_matrix[n_points_1d][stencil_edge];
+    double value_matrix[n_points_1d][stencil_edge];
+    double derivative_matrix[n_points_1d][stencil_edge];
 
     static int
     position_in_block(const Index<dim> &corner);

@@ -16,6 +16,6 @@ namespace magmpm
   template <int dim>
   Vector<dim>
   hand_force_inward(const BlockPartition<dim> &partition,
-                    const NodeField<dim>      &mass,
-                    NodeField<dim>            &force);
+                    const NodeField<dim> &mass,
+                    NodeField<dim> &force);
 } // namespace magmpm

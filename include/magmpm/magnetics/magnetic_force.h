@@ -19,9 +19,9 @@ namespace magmpm
   template <int dim>
   void
   compute_split_force(const PotentialSolution<dim> &solution,
-                      const MaterialPoints<dim>    &material,
-                      const BlockPartition<dim>    &partition,
-                      NodeField<dim>               &force);
+                      const MaterialPoints<dim> &material,
+                      const BlockPartition<dim> &partition,
+                      NodeField<dim> &force);
 
   /**
    * H in the material, averaged to nodes: int v N_i H / int v N_i, zero without material.
@@ -31,7 +31,7 @@ namespace magmpm
   template <int dim>
   void
   compute_material_field(const PotentialSolution<dim> &solution,
-                         const MaterialPoints<dim>    &material,
-                         const BlockPartition<dim>    &partition,
-                         NodeField<dim>               &field);
+                         const MaterialPoints<dim> &material,
+                         const BlockPartition<dim> &partition,
+                         NodeField<dim> &field);
 } // namespace magmpm

@@ -34,11 +34,11 @@ namespace magmpm
      */
     void
     reinit(const std::vector<Index<dim>> &lattice_cells,
-           const BlockSet<dim>           &blocks,
-           const NodeField<dim>          &content,
-           const ExternalField<dim>      &sources,
-           const Lattice<dim>            &lattice,
-           const MagnetizationLaw         law);
+           const BlockSet<dim> &blocks,
+           const NodeField<dim> &content,
+           const ExternalField<dim> &sources,
+           const Lattice<dim> &lattice,
+           const MagnetizationLaw law);
 
     /** The slot of the owned active block that holds a lattice cell, or invalid_slot. */
     int
@@ -109,33 +109,33 @@ namespace magmpm
   private:
     struct Cell
     {
-      int          slot = invalid_slot;
-      Index<dim>   corner;
+      int slot = invalid_slot;
+      Index<dim> corner;
       unsigned int first_point = none;
     };
 
     struct Point
     {
       MagneticContent content;
-      double          volume_fraction;
-      Vector<dim>     field;
-      Matrix<dim>     gradient;
+      double volume_fraction;
+      Vector<dim> field;
+      Matrix<dim> gradient;
     };
 
-    CellStencil<dim>   stencil;
-    MagnetizationLaw   law;
-    std::vector<Cell>  cells;
+    CellStencil<dim> stencil;
+    MagnetizationLaw law;
+    std::vector<Cell> cells;
     std::vector<Point> points;
-    double             total_weight = 0.;
-    Vector<dim>        first_moment;
+    double total_weight = 0.;
+    Vector<dim> first_moment;
 
-    std::array<double, n_points<dim>>      weights;
+    std::array<double, n_points<dim>> weights;
     std::array<Vector<dim>, n_points<dim>> positions; ///< from the lower node of a cell [m]
 
     void
-    add_cell(const Index<dim>         &lower_node,
-             const PointValues<dim>   &content,
+    add_cell(const Index<dim> &lower_node,
+             const PointValues<dim> &content,
              const ExternalField<dim> &sources,
-             const Lattice<dim>       &lattice);
+             const Lattice<dim> &lattice);
   };
 } // namespace magmpm

@@ -16,8 +16,8 @@ namespace magmpm
    */
   template <int dim>
   void
-  add_mirror_images(const BlockPartition<dim>       &partition,
-                    const Lattice<dim>              &lattice,
+  add_mirror_images(const BlockPartition<dim> &partition,
+                    const Lattice<dim> &lattice,
                     const std::array<bool, 2 * dim> &shielded,
-                    NodeField<dim>                  &content);
+                    NodeField<dim> &content);
 } // namespace magmpm

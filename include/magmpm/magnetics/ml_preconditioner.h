@@ -31,8 +31,8 @@ namespace magmpm
     }
 
   private:
-    const PotentialSpace<dim>                &space;
-    dealii::TrilinosWrappers::SparseMatrix    system_matrix;
+    const PotentialSpace<dim> &space;
+    dealii::TrilinosWrappers::SparseMatrix system_matrix;
     dealii::TrilinosWrappers::PreconditionAMG amg;
 
     void

@@ -13,18 +13,18 @@ namespace magmpm
   /** What a Newton solve did. */
   struct NewtonReport
   {
-    int                 steps             = 0;
-    int                 line_search_steps = 0; ///< halvings of a step, in all
-    int                 linear_iterations = 0; ///< of the linear solver, in all
-    std::vector<double> residuals;             ///< norms, the one at the start first
+    int steps             = 0;
+    int line_search_steps = 0;     ///< halvings of a step, in all
+    int linear_iterations = 0;     ///< of the linear solver, in all
+    std::vector<double> residuals; ///< norms, the one at the start first
   };
 
   /** When a Newton solve ends. */
   struct NewtonParameters
   {
     double tolerance = 0.; ///< on the norm of the residual, absolute
-    int    max_steps = 25;
-    bool   is_linear = false; ///< the first linear system is solved straight to the tolerance
+    int max_steps    = 25;
+    bool is_linear   = false; ///< the first linear system is solved straight to the tolerance
   };
 
   /** A system of equations F(x) = 0, as damped_newton() sees it. */
@@ -46,8 +46,8 @@ namespace magmpm
      */
     virtual int
     solve_linearized(const VectorType &residual,
-                     const double      relative_tolerance,
-                     VectorType       &step) = 0;
+                     const double relative_tolerance,
+                     VectorType &step) = 0;
   };
 
   /**
@@ -60,8 +60,8 @@ namespace magmpm
   forcing_term(const std::vector<double> &residuals, const double previous, const double tolerance)
   {
     constexpr double largest = 0.1;
-    const double     now     = residuals.back();
-    double           eta     = largest;
+    const double now         = residuals.back();
+    double eta               = largest;
     if (residuals.size() > 1)
       {
         const double ratio     = now / residuals[residuals.size() - 2];
@@ -98,14 +98,14 @@ namespace magmpm
   template <typename VectorType>
   NewtonReport
   damped_newton(NewtonProblem<VectorType> &problem,
-                const NewtonParameters    &parameters,
-                VectorType                &x)
+                const NewtonParameters &parameters,
+                VectorType &x)
   {
     constexpr double sufficient_decrease = 1e-4;
-    constexpr int    max_halvings        = 16;
+    constexpr int max_halvings           = 16;
 
     NewtonReport report;
-    VectorType   residual, step, start;
+    VectorType residual, step, start;
     residual.reinit(x);
     step.reinit(x);
     problem.evaluate(x, residual);
@@ -120,8 +120,8 @@ namespace magmpm
                          " steps: the norms of the residual were " + to_string(report.residuals) +
                          ", to reach was " + to_string({parameters.tolerance}) + ".");
 
-        eta = parameters.is_linear ? std::min(0.5 * parameters.tolerance / norm, 0.1) :
-                                     forcing_term(report.residuals, eta, parameters.tolerance);
+        eta = parameters.is_linear ? std::min(0.5 * parameters.tolerance / norm, 0.1)
+                                   : forcing_term(report.residuals, eta, parameters.tolerance);
         report.linear_iterations += problem.solve_linearized(residual, eta, step);
 
         start         = x;

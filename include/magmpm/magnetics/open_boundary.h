@@ -35,9 +35,9 @@ namespace magmpm
      * @param centre    of the magnetized material [m]; moved to the middle of the box if outside.
      * @param shielded  faces -x, +x, -y, ... of the box.
      */
-    OpenBoundary(const PotentialSpace<dim>       &space,
+    OpenBoundary(const PotentialSpace<dim> &space,
                  const std::array<bool, 2 * dim> &shielded,
-                 const Vector<dim>               &centre);
+                 const Vector<dim> &centre);
 
     /**
      * The element matrix of a cell of any level, in lexicographic numbering.
@@ -62,21 +62,21 @@ namespace magmpm
     }
 
   private:
-    Vector<dim>               lower_corner, upper_corner;
-    std::array<bool, 2 * dim> open = {};
-    std::array<bool, dim>     counts = {}; ///< components of r
-    Vector<dim>               start;
-    int                       decay     = 0; ///< m - 1
-    bool                      has_robin = false;
+    Vector<dim> lower_corner, upper_corner;
+    std::array<bool, 2 *dim> open = {};
+    std::array<bool, dim> counts  = {}; ///< components of r
+    Vector<dim> start;
+    int decay      = 0; ///< m - 1
+    bool has_robin = false;
 
     /** c [1/m] at a point of the face across @p axis; @p sign of the outward normal. */
     double
     coefficient(const Vector<dim> &point, const int axis, const int sign) const;
 
     void
-    add_face(const CellIterator         &cell,
-             const int                   axis,
-             const int                   side,
+    add_face(const CellIterator &cell,
+             const int axis,
+             const int side,
              dealii::FullMatrix<double> &matrix) const;
   };
 } // namespace magmpm

@@ -28,14 +28,14 @@ namespace magmpm
   public:
     using VectorType = dealii::LinearAlgebra::distributed::Vector<Number>;
     using Lanes      = dealii::VectorizedArray<Number>;
-    using Evaluation =
-      dealii::FEEvaluation<dim, potential_degree, n_points_1d, 1, Number, Lanes>;
+    using Evaluation = dealii::FEEvaluation<dim, potential_degree, n_points_1d, 1, Number, Lanes>;
 
     static constexpr unsigned int n_cell_dofs = Evaluation::static_dofs_per_cell;
 
     /** The n_points<dim> tensors of a cell (batch, lane), or a null pointer where K = I. */
     using CellPermeability =
-      std::function<const dealii::SymmetricTensor<2, dim> *(const unsigned int, const unsigned int)>;
+      std::function<const dealii::SymmetricTensor<2, dim> *(const unsigned int,
+                                                            const unsigned int)>;
 
     /** The element matrix of a cell (batch, lane), lexicographic, or a null pointer. */
     using CellMatrix =
@@ -68,7 +68,7 @@ namespace magmpm
     std::vector<unsigned int> first_matrix; ///< in matrices, by batch; invalid_entry: none
 
     dealii::AlignedVector<dealii::SymmetricTensor<2, dim, Lanes>> tensors;
-    dealii::AlignedVector<Lanes>                                  matrices;
+    dealii::AlignedVector<Lanes> matrices;
 
     void
     apply_to_cell(Evaluation &u) const;

@@ -32,10 +32,10 @@ namespace magmpm
   {
   public:
     /** All of these must outlive this object; the mesh may still be unrefined. */
-    PotentialProblem(const BackgroundMesh<dim>       &mesh,
-                     const BlockPartition<dim>       &partition,
-                     const MagneticsParameters<dim>  &parameters,
-                     dealii::TimerOutput             &timer);
+    PotentialProblem(const BackgroundMesh<dim> &mesh,
+                     const BlockPartition<dim> &partition,
+                     const MagneticsParameters<dim> &parameters,
+                     dealii::TimerOutput &timer);
     ~PotentialProblem();
 
     /**

@@ -27,11 +27,11 @@ namespace magmpm
      * @param jacobian  for the element matrices of the open boundary.
      */
     void
-    evaluate(const PotentialSpace<dim>            &space,
-             const MaterialPoints<dim>            &material,
+    evaluate(const PotentialSpace<dim> &space,
+             const MaterialPoints<dim> &material,
              const PotentialOperator<dim, double> &jacobian,
-             const PotentialVector                &potential,
-             PotentialVector                      &residual);
+             const PotentialVector &potential,
+             PotentialVector &residual);
 
     /** Pi [A^2 m] of all ranks at the potential last evaluated. Collective. */
     double
@@ -41,15 +41,15 @@ namespace magmpm
     const dealii::SymmetricTensor<2, dim> *
     permeability(const MaterialPoints<dim> &material, const unsigned int lattice_cell) const
     {
-      const unsigned int first =
-        lattice_cell == invalid_entry ? material.none : material.first_point(lattice_cell);
+      const unsigned int first = lattice_cell == invalid_entry ? material.none
+                                                               : material.first_point(lattice_cell);
       return first == material.none ? nullptr : &tensors[first];
     }
 
   private:
     std::vector<dealii::SymmetricTensor<2, dim>> tensors; ///< by point of MaterialPoints
-    double                                       local_energy = 0.;
-    MPI_Comm                                     communicator = MPI_COMM_SELF;
+    double local_energy   = 0.;
+    MPI_Comm communicator = MPI_COMM_SELF;
 
     using Lanes  = typename PotentialOperator<dim, double>::Lanes;
     using Fluxes = std::array<dealii::Tensor<1, dim, Lanes>, n_points<dim>>;
@@ -60,8 +60,8 @@ namespace magmpm
      */
     double
     subtract_magnetization(const MaterialPoints<dim> &material,
-                           const unsigned int         lattice_cell,
-                           const unsigned int         lane,
-                           Fluxes                    &fluxes);
+                           const unsigned int lattice_cell,
+                           const unsigned int lane,
+                           Fluxes &fluxes);
   };
 } // namespace magmpm

@@ -42,10 +42,10 @@ namespace magmpm
 
     const BackgroundMesh<dim> &mesh;
 
-    const dealii::FE_Q<dim>     fe;
+    const dealii::FE_Q<dim> fe;
     const dealii::MappingQ1<dim> mapping;
-    dealii::DoFHandler<dim>     dof_handler;
-    dealii::IndexSet            relevant_dofs;
+    dealii::DoFHandler<dim> dof_handler;
+    dealii::IndexSet relevant_dofs;
 
     dealii::AffineConstraints<double> constraints; ///< hanging nodes
 
@@ -90,6 +90,6 @@ namespace magmpm
   struct PotentialSolution
   {
     std::unique_ptr<const PotentialSpace<dim>> space;
-    PotentialVector                            potential; ///< hanging nodes not filled in
+    PotentialVector potential; ///< hanging nodes not filled in
   };
 } // namespace magmpm

@@ -7,11 +7,11 @@ namespace magmpm
   /** What one solution of the potential problem took and gave. */
   struct SolveReport
   {
-    NewtonReport       newton;
-    double             zero_residual          = 0.; ///< norm at zero potential: the tolerance refers to it
-    bool               preconditioner_rebuilt = false;
-    double             energy                 = 0.; ///< U = -mu_0 min Pi [J]; J/m in 2D
-    unsigned long long n_unknowns             = 0;
+    NewtonReport newton;
+    double zero_residual          = 0.; ///< norm at zero potential: the tolerance refers to it
+    bool preconditioner_rebuilt   = false;
+    double energy                 = 0.; ///< U = -mu_0 min Pi [J]; J/m in 2D
+    unsigned long long n_unknowns = 0;
 
     /** Residual at the start over that at zero potential: 1 from zero, smaller from the last solution. */
     double

@@ -46,7 +46,10 @@ namespace magmpm
     bool
     adapt(const std::vector<Index<dim>> &blocks, const std::vector<unsigned int> &weights);
 
-    /** Owner rank of each block. Blocks outside the box belong to the owner of the nearest inside. */
+    /**
+     * Owner rank of each block. Blocks outside the box belong to the owner of the nearest inside.
+     * Collective (deal.II compares the manifolds of all ranks in each search).
+     */
     std::vector<unsigned int>
     owners(const std::vector<Index<dim>> &blocks) const;
 
