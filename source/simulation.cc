@@ -107,8 +107,6 @@ namespace magmpm
       }
     state.solved_this_step = false;
 
-    if (drift_since_sort > tolerated_drift * parameters.lattice.spacing)
-      regroup_particles();
     external_field.set_time(state.time);
     if (solve_is_due())
       solve_magnetics();              // Eqs. (25)-(33)
@@ -118,6 +116,9 @@ namespace magmpm
 
     state.time += step.length;
     ++state.step;
+    // Now, not before the next step: output also counts on particles being in their arenas.
+    if (drift_since_sort > tolerated_drift * parameters.lattice.spacing)
+      regroup_particles();
     if (state.step % parameters.output.statistics_every == 0)
       write_statistics();
   }

@@ -158,3 +158,25 @@ TEST_CASE("the sums of all ranks are those of one", "[particles][mpi]")
   CHECK(sums.n_particles == 1000.);
   check_equal(sums, sums_of(0, 1));
 }
+
+TEST_CASE("the way since the last solve is that of the particle that went furthest", "[particles]")
+{
+  // Positions are remembered, then one of three particles goes 0.05 m and another one 0.02 m. Back
+  // where it was nothing has been travelled; bodies that are not magnetic do not count.
+  const Lattice<2> lattice = test_lattice<2>();
+  Random random(5);
+  for (const bool is_magnetic : {true, false})
+    {
+      Body<2> body = empty_body<2>(MechanicalLaw::neo_hookean, is_magnetic);
+      add_random_particles(lattice, 2., 8., 3, random, body);
+      remember_positions(body);
+      CHECK(way_since_solve(body) == 0.);
+      const ParticleSet<2> before = body.particles;
+      body.particles.component(ParticleProperty::position, 0)[1] += 0.03;
+      body.particles.component(ParticleProperty::position, 1)[1] -= 0.04;
+      body.particles.component(ParticleProperty::position, 0)[2] -= 0.02;
+      CHECK(way_since_solve(body) == Approx(is_magnetic ? 0.05 : 0.).margin(1e-14));
+      body.particles = before;
+      CHECK(way_since_solve(body) == 0.);
+    }
+}
