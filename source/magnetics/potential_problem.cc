@@ -208,7 +208,7 @@ namespace magmpm
       return residual.permeability(material, space.lattice_cell(batch, lane));
     });
 
-    bool is_fresh = rule.is_due();
+    const bool is_fresh = rule.is_due();
     if (is_fresh)
       rebuild_preconditioner();
 
@@ -219,10 +219,7 @@ namespace magmpm
     if (iterations < 0 && !is_fresh)
       {
         rebuild_preconditioner();
-        iterations = parameters.max_cg_iterations + run_cg(right_hand_side, tolerance, step);
-        is_fresh   = true;
-        if (iterations < parameters.max_cg_iterations)
-          iterations = -1;
+        iterations = run_cg(right_hand_side, tolerance, step);
       }
     if (iterations < 0)
       throw RunError("The linear system of the magnetic potential was not solved in " +

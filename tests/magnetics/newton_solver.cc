@@ -113,6 +113,8 @@ TEST_CASE("Newton's method says how far it came when it fails", "[magnetics]")
   CHECK(message.find("1.00e+00 ") != std::string::npos);
   CHECK(message.find("to reach was 1.00e-03") != std::string::npos);
 
+#ifndef DEBUG // there deal.II ends the program itself, at the norm
   problem.function = [](const double) { return std::nan(""); };
   CHECK_THROWS_AS((damped_newton<VectorType>(problem, {1e-3, 3, false}, x)), RunError);
+#endif
 }

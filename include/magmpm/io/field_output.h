@@ -22,6 +22,7 @@ namespace magmpm
    *   B               mu_0 (H + M) [T]
    *   number_density  of grains [1/m^3]
    *
+   * M and thus B are those of material: inside a magnet its own magnetization is not in them.
    * All are values at the nodes of FE_Q(2), each cell cut in 2^dim; H_int, which jumps between cells,
    * is averaged there, so that field lines drawn by a stream tracer are continuous.
    */
