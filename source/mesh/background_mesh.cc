@@ -171,10 +171,10 @@ namespace magmpm
     dealii::GridGenerator::subdivided_hyper_rectangle(
       triangulation, repetitions, lower, upper, true);
 
-    // What a cell costs its rank, in units of a thousandth of the cost of a cell of the potential
-    // problem; a particle costs about 0.03 of it.
+    // Costs of a step relative to each other: a cell of the potential takes as long as some 30
+    // particles if there is a solve every five steps, and less the rarer solves are.
     const double cell_weight     = (parameters.carries_potential ? 1000. : 1.);
-    const double particle_weight = 30.;
+    const double particle_weight = 100.;
     triangulation.signals.weight.connect(
       [this, cell_weight, particle_weight](const CellIterator &cell, const auto) {
         double particles = 0.;

@@ -276,17 +276,6 @@ TEST_CASE("All parameter files are valid and survive a round trip", "[io]")
     }
 }
 
-// doc/parameters.md is what --print-parameters prints. It is compared character by character, so that
-// no parameter changes without its manual.
-TEST_CASE("The manual of the parameters is up to date", "[io]")
-{
-  std::ifstream stream(MAGMPM_SOURCE_DIR "/doc/parameters.md");
-  std::ostringstream text;
-  text << stream.rdbuf();
-  INFO("magmpm --print-parameters > doc/parameters.md");
-  CHECK(text.str() == parameter_manual());
-}
-
 // Every parameter has a range, a unit ("-" if it has none) and a sentence about it. A number with a
 // default must itself lie in its range, or declaring it throws.
 TEST_CASE("Every parameter is explained", "[io]")

@@ -262,7 +262,7 @@ TEMPLATE_TEST_CASE_SIG("all ranks name the same owner of every block, also outsi
 TEST_CASE("cells and particles are shared out evenly", "[mesh][mpi]")
 {
   // A body of 8 x 4 x 4 blocks with 512 particles each in a box that is mostly empty: the work is 1000
-  // a cell of the potential's mesh and 30 a particle (the documented weights), or without a potential
+  // a cell of the potential's mesh and 100 a particle (the weights of the mesh), or without a potential
   // the particles alone. No rank may have more than its share and one family of 2^3 cells, which
   // stay together.
   const std::vector<Index<3>> body = box_of_blocks<3>({5, 6, 7}, {13, 10, 11});
@@ -272,12 +272,12 @@ TEST_CASE("cells and particles are shared out evenly", "[mesh][mpi]")
       parameters.carries_potential = carries_potential;
       BackgroundMesh<3> mesh(MPI_COMM_WORLD, lattice_of_blocks<3>({16, 16, 16}), parameters);
       adapt<3>(body, mesh);
-      double work = 30. * 512. * owned_of<3>(body, mesh).size();
+      double work = 100. * 512. * owned_of<3>(body, mesh).size();
       if (carries_potential)
         work += 1000. * mesh.triangulation().n_locally_owned_active_cells();
       const double most   = dealii::Utilities::MPI::max(work, MPI_COMM_WORLD);
       const double sum    = dealii::Utilities::MPI::sum(work, MPI_COMM_WORLD);
-      const double family = (carries_potential ? 8. * 1000. + 30. * 512. : 8. * 30. * 512.);
+      const double family = (carries_potential ? 8. * 1000. + 100. * 512. : 8. * 100. * 512.);
       CHECK(most <= sum / n_ranks() + family);
     }
 }
