@@ -413,7 +413,8 @@ namespace magmpm
     if (results.writes_fields())
       {
         // The mesh may have changed since the last solve: then the potential is found anew. The
-        // force that particles carry stays, so that output never changes a run.
+        // force that particles carry stays: output changes a run by no more than where the next
+        // Newton iteration starts, within its tolerance.
         const NodeField<dim> content = magnetic_content();
         if (mesh_of_last_solve != mesh.revision())
           solve_potential(content);
