@@ -25,9 +25,9 @@ namespace magmpm
    */
   template <int dim>
   void
-  check_for_runaways(const std::vector<Body<dim>>        &bodies,
+  check_for_runaways(const std::vector<Body<dim>> &bodies,
                      const std::vector<ParticleExtremes> &extremes,
-                     const RunawayLimits                 &limits,
-                     const RunState                      &state,
-                     const MPI_Comm                       communicator);
+                     const RunawayLimits &limits,
+                     const RunState &state,
+                     const MPI_Comm communicator);
 } // namespace magmpm

@@ -12,8 +12,8 @@ namespace magmpm
   /** A time step and the limit that bound it. */
   struct TimeStep
   {
-    double      length = 0.; ///< dt [s]
-    std::string limit;       ///< elastic, viscous, force, affine, maximum, frame end or fixed
+    double length = 0.; ///< dt [s]
+    std::string limit;  ///< elastic, viscous, force, affine, maximum, frame end or fixed
   };
 
   /** The state of the material that limits the next step, extremes over all particles and ranks. */
@@ -53,6 +53,6 @@ namespace magmpm
     stable_step(const StepConditions &conditions) const;
 
     const TimeStepParameters parameters;
-    const double             lattice_spacing;
+    const double lattice_spacing;
   };
 } // namespace magmpm

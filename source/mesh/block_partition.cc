@@ -100,10 +100,10 @@ namespace magmpm
     // A fresh one: reinit() of deal.II 9.4 keeps parts of the old exchange pattern. Without an active
     // block anywhere, deal.II would divide by the number of values.
     using Partitioner = dealii::Utilities::MPI::Partitioner;
-    partitioner       = (total == 0 ?
-                           std::make_unique<Partitioner>() :
-                           std::make_unique<Partitioner>(owned_values, ghost_values, communicator));
-    block_set = BlockSet<dim>(std::move(all), static_cast<int>(owned.size()));
+    partitioner       = (total == 0
+                           ? std::make_unique<Partitioner>()
+                           : std::make_unique<Partitioner>(owned_values, ghost_values, communicator));
+    block_set         = BlockSet<dim>(std::move(all), static_cast<int>(owned.size()));
   }
 
   template <int dim>

@@ -15,7 +15,8 @@ namespace
   std::string
   flying_block(const std::string &name, const std::string &law)
   {
-    return write_scene(name, R"(
+    return write_scene(name,
+                       R"(
 set Dimension = 3
 set End time  = 0.03
 set Gravity   = 0, 0, -9.81
@@ -56,7 +57,8 @@ subsection Magnets
   end
 end
 subsection Magnetics
-  set Magnetization law = )" + law + R"(
+  set Magnetization law = )" +
+                         law + R"(
   set Newton tolerance  = 1e-13
 end
 subsection Output
@@ -78,7 +80,8 @@ end
   {
     return heading.find("wall time") != std::string::npos || heading == "migrated particles" ||
            heading == "fewest particles of a rank" || heading == "CG iterations" ||
-           heading.find("Newton residual") != std::string::npos || heading.find("dropped") != std::string::npos;
+           heading.find("Newton residual") != std::string::npos ||
+           heading.find("dropped") != std::string::npos;
   }
 
   /** The columns of a vector are compared with its largest component: "momentum x" with "momentum". */
@@ -101,9 +104,9 @@ TEST_CASE("The number of ranks changes nothing", "[program]")
   // only the order of sums differs, so all statistics agree to 1e-10 of the largest value of their
   // column. The one body is cut by a rank boundary and its particles change ranks, or nothing is shown.
   const std::string scene = flying_block("ranks", "Langevin");
-  const auto        run_on = [&](const int n_ranks) {
+  const auto run_on       = [&](const int n_ranks) {
     const std::string folder = "ranks-" + std::to_string(n_ranks);
-    const Outcome     run =
+    const Outcome run =
       run_magmpm(scene + fixed_schedule + "--set \"Output directory=" + folder + "\"", n_ranks);
     INFO(run.errors);
     REQUIRE(run.exit_code == 0);

@@ -20,7 +20,7 @@ namespace magmpm::testing
     explicit Statistics(const std::string &folder)
     {
       std::istringstream lines(contents(folder + "/statistics.csv"));
-      std::string        line;
+      std::string line;
       std::getline(lines, line);
       for (const std::string &heading : cells(line))
         headings.push_back(heading);
@@ -59,7 +59,7 @@ namespace magmpm::testing
     cells(const std::string &line)
     {
       std::vector<std::string> cells;
-      std::istringstream       stream(line);
+      std::istringstream stream(line);
       for (std::string cell; std::getline(stream, cell, ',');)
         cells.push_back(cell);
       return cells;

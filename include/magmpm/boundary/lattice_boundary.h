@@ -20,9 +20,9 @@ namespace magmpm
   {
   public:
     /** @param sources  their solid magnets are colliders, where they are at the moment of a call. */
-    LatticeBoundary(const Lattice<dim>        &lattice,
+    LatticeBoundary(const Lattice<dim> &lattice,
                     const WallParameters<dim> &walls,
-                    const ExternalField<dim>  &sources);
+                    const ExternalField<dim> &sources);
 
     /** The velocity [m/s] that the boundaries leave to a node. */
     Vector<dim>
@@ -33,7 +33,7 @@ namespace magmpm
     max_speed() const;
 
   private:
-    const Lattice<dim>        lattice;
+    const Lattice<dim> lattice;
     const WallParameters<dim> walls;
     const ExternalField<dim> &sources;
   };

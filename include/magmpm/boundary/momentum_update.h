@@ -16,10 +16,10 @@ namespace magmpm
    */
   template <int dim>
   void
-  update_lattice_momentum(const BlockSet<dim>        &blocks,
+  update_lattice_momentum(const BlockSet<dim> &blocks,
                           const LatticeBoundary<dim> &boundary,
-                          const Vector<dim>          &gravity,
-                          const double                time_step,
-                          const double                typical_mass,
-                          NodeField<dim>             &field);
+                          const Vector<dim> &gravity,
+                          const double time_step,
+                          const double typical_mass,
+                          NodeField<dim> &field);
 } // namespace magmpm

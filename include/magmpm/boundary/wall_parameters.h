@@ -15,6 +15,6 @@ namespace magmpm
   template <int dim>
   struct WallParameters
   {
-    std::array<WallCondition, 2 * dim> condition = {};
+    std::array<WallCondition, 2 *dim> condition = {};
   };
 } // namespace magmpm

@@ -9,13 +9,13 @@ namespace magmpm
   /** The length of a time step: a fixed one, or the smallest of the limits below. */
   struct TimeStepParameters
   {
-    bool   adaptive         = true;
-    double fixed_step       = 0.;                                      ///< dt [s], if not adaptive
-    double maximum          = std::numeric_limits<double>::infinity(); ///< [s]
-    double elastic_factor   = 0.4;  ///< dt <= factor dx / (c + |v|)
-    double viscous_factor   = 0.12; ///< dt <= factor rho dx^2 / mu_N
-    double force_factor     = 0.3;  ///< dt <= factor sqrt(dx / |a|)
-    double affine_factor    = 0.3;  ///< dt <= factor / |C|
+    bool adaptive         = true;
+    double fixed_step     = 0.;                                      ///< dt [s], if not adaptive
+    double maximum        = std::numeric_limits<double>::infinity(); ///< [s]
+    double elastic_factor = 0.4;  ///< dt <= factor dx / (c + |v|)
+    double viscous_factor = 0.12; ///< dt <= factor rho dx^2 / mu_N
+    double force_factor   = 0.3;  ///< dt <= factor sqrt(dx / |a|)
+    double affine_factor  = 0.3;  ///< dt <= factor / |C|
   };
 
   /** When the potential is solved again. */
@@ -29,9 +29,9 @@ namespace magmpm
     };
 
     Trigger trigger         = Trigger::when_changed;
-    double  moved_fraction  = 0.1;  ///< of dx
-    double  changed_fraction = 0.01; ///< of the largest external field
-    int     n_steps         = 10;
+    double moved_fraction   = 0.1;  ///< of dx
+    double changed_fraction = 0.01; ///< of the largest external field
+    int n_steps             = 10;
   };
 
   /** Beyond these a run has failed: it stops, keeps the last good output and names the particle. */
@@ -45,12 +45,12 @@ namespace magmpm
   /** What is written, where and how often. */
   struct OutputParameters
   {
-    std::string              directory;
-    double                   frame_interval = 0.; ///< simulated time between frames [s]
-    bool                     write_particles = true;
-    bool                     write_fields    = true;
+    std::string directory;
+    double frame_interval = 0.; ///< simulated time between frames [s]
+    bool write_particles  = true;
+    bool write_fields     = true;
     std::vector<std::string> particle_quantities; ///< names of particle_property table
     std::vector<std::string> field_quantities;    ///< potential, H_int, H, M, B, number_density
-    int                      statistics_every = 1; ///< steps
+    int statistics_every = 1;                     ///< steps
   };
 } // namespace magmpm

@@ -57,21 +57,23 @@ namespace magmpm
     void
     add_to(NodeField<dim> &field, const BlockSet<dim> &blocks, const int slot) const
     {
-      for_each_segment(blocks.neighbours(slot), [&](const int from, const int in, const int offset, const int n) {
-        double       *target = field.block(in) + offset;
-        const double *source = values + from;
-        for (int i = 0; i < n; ++i)
-          target[i] += source[i];
-      });
+      for_each_segment(blocks.neighbours(slot),
+                       [&](const int from, const int in, const int offset, const int n) {
+                         double *target       = field.block(in) + offset;
+                         const double *source = values + from;
+                         for (int i = 0; i < n; ++i)
+                           target[i] += source[i];
+                       });
     }
 
     /** Fills the arena of the block in @p slot from a field. */
     void
     load(const NodeField<dim> &field, const BlockSet<dim> &blocks, const int slot)
     {
-      for_each_segment(blocks.neighbours(slot), [&](const int to, const int in, const int offset, const int n) {
-        std::copy_n(field.block(in) + offset, n, values + to);
-      });
+      for_each_segment(blocks.neighbours(slot),
+                       [&](const int to, const int in, const int offset, const int n) {
+                         std::copy_n(field.block(in) + offset, n, values + to);
+                       });
     }
 
   private:

@@ -58,9 +58,9 @@ namespace magmpm
     }
 
   private:
-    std::vector<Index<dim>>                         blocks;
-    int                                             n_owned_blocks = 0;
-    std::unordered_map<std::uint64_t, int>          slots;
+    std::vector<Index<dim>> blocks;
+    int n_owned_blocks = 0;
+    std::unordered_map<std::uint64_t, int> slots;
     std::vector<std::array<int, n_neighbours<dim>>> neighbour_slots;
   };
 

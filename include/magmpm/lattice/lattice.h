@@ -46,8 +46,8 @@ namespace magmpm
   struct Lattice
   {
     Vector<dim> lower_corner; ///< of the mechanical box [m]
-    double      spacing = 0.; ///< dx [m]
-    Index<dim>  n_cells = {}; ///< of the mechanical box; multiples of block_edge
+    double spacing     = 0.;  ///< dx [m]
+    Index<dim> n_cells = {};  ///< of the mechanical box; multiples of block_edge
 
     Vector<dim>
     node_position(const Index<dim> &node) const
@@ -70,7 +70,7 @@ namespace magmpm
     base_node(const Vector<dim> &position) const
     {
       const Vector<dim> x = reduced(position);
-      Index<dim>        node;
+      Index<dim> node;
       for (int d = 0; d < dim; ++d)
         node[d] = static_cast<int>(std::floor(x[d] - 0.5));
       return node;
@@ -81,7 +81,7 @@ namespace magmpm
     nearest_node(const Vector<dim> &position) const
     {
       const Vector<dim> x = reduced(position);
-      Index<dim>        node;
+      Index<dim> node;
       for (int d = 0; d < dim; ++d)
         node[d] = static_cast<int>(std::lround(x[d]));
       return node;

@@ -16,13 +16,13 @@ namespace magmpm
   template <int dim>
   struct MagneticsParameters
   {
-    MagnetizationLaw law             = MagnetizationLaw::langevin;
-    Preconditioner   preconditioner  = Preconditioner::gmg;
-    double           newton_tolerance = 1e-10; ///< of the residual, relative to that of zero potential
-    int              max_newton_steps = 25;
-    int              max_cg_iterations = 500;
+    MagnetizationLaw law          = MagnetizationLaw::langevin;
+    Preconditioner preconditioner = Preconditioner::gmg;
+    double newton_tolerance       = 1e-10; ///< of the residual, relative to that of zero potential
+    int max_newton_steps          = 25;
+    int max_cg_iterations         = 500;
 
     /** Shielded faces (-x, +x, -y, ...): natural condition; the others are open (Robin). */
-    std::array<bool, 2 * dim> shielded = {};
+    std::array<bool, 2 *dim> shielded = {};
   };
 } // namespace magmpm

@@ -28,12 +28,12 @@ namespace magmpm
   template <int dim>
   struct SourceParameters
   {
-    std::string      name;
-    SourceType       type = SourceType::uniform_field;
-    std::string      field;         ///< uniform field H(t) [A/m], "0; 0; 1e5*t"
-    std::string      position;      ///< centre of the sphere x(t) [m], "0.5; 0.5; 0.2"
-    std::string      magnetization; ///< M(t) [A/m]
-    double           radius  = 0.;  ///< [m]
+    std::string name;
+    SourceType type = SourceType::uniform_field;
+    std::string field;             ///< uniform field H(t) [A/m], "0; 0; 1e5*t"
+    std::string position;          ///< centre of the sphere x(t) [m], "0.5; 0.5; 0.2"
+    std::string magnetization;     ///< M(t) [A/m]
+    double radius            = 0.; ///< [m]
     ContactCondition contact = ContactCondition::none;
   };
 } // namespace magmpm

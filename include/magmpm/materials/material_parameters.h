@@ -39,12 +39,12 @@ namespace magmpm
   /** One named material of a scene. */
   struct MaterialParameters
   {
-    std::string   name;
-    MechanicalLaw law              = MechanicalLaw::neo_hookean;
-    double        shear_modulus    = 0.; ///< mu [Pa], solid
-    double        lame_lambda      = 0.; ///< lambda [Pa], solid
-    double        bulk_modulus     = 0.; ///< K [Pa], fluid
-    double        viscosity        = 0.; ///< mu_N [Pa s], fluid
+    std::string name;
+    MechanicalLaw law    = MechanicalLaw::neo_hookean;
+    double shear_modulus = 0.; ///< mu [Pa], solid
+    double lame_lambda   = 0.; ///< lambda [Pa], solid
+    double bulk_modulus  = 0.; ///< K [Pa], fluid
+    double viscosity     = 0.; ///< mu_N [Pa s], fluid
 
     MagneticParameters magnetic;
   };

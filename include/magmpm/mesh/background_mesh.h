@@ -31,7 +31,9 @@ namespace magmpm
   public:
     using Triangulation = dealii::parallel::distributed::Triangulation<dim, dim>;
 
-    BackgroundMesh(const MPI_Comm communicator, const Lattice<dim> &lattice, const MeshParameters<dim> &parameters);
+    BackgroundMesh(const MPI_Comm communicator,
+                   const Lattice<dim> &lattice,
+                   const MeshParameters<dim> &parameters);
     ~BackgroundMesh();
 
     /**
@@ -82,10 +84,10 @@ namespace magmpm
     }
 
   private:
-    const MPI_Comm            the_communicator;
-    const Lattice<dim>        the_lattice;
+    const MPI_Comm the_communicator;
+    const Lattice<dim> the_lattice;
     const MeshParameters<dim> the_parameters;
-    unsigned int              the_revision = 0;
+    unsigned int the_revision = 0;
 
     struct Implementation;
     std::unique_ptr<Implementation> implementation;

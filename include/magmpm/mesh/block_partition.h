@@ -50,9 +50,9 @@ namespace magmpm
 
   private:
     const BackgroundMesh<dim> &mesh;
-    BlockSet<dim>              block_set;
+    BlockSet<dim> block_set;
 
     std::unique_ptr<dealii::Utilities::MPI::Partitioner> partitioner;
-    mutable std::vector<double>                          buffer; ///< of the exchange
+    mutable std::vector<double> buffer; ///< of the exchange
   };
 } // namespace magmpm

@@ -15,7 +15,7 @@ namespace magmpm
     double potential_box_factor = 2.;
 
     /** Faces (-x, +x, -y, ...) where the potential box ends at the wall (mirror condition). */
-    std::array<bool, 2 * dim> shielded = {};
+    std::array<bool, 2 *dim> shielded = {};
 
     /**
      * Cells are fine in the active blocks and this many blocks further, where the mesh changes; then

@@ -25,10 +25,10 @@ namespace magmpm
   {
     Body(const BodyParameters<dim> &parameters, const MaterialParameters &material);
 
-    std::string        name;
-    Material<dim>      material;
+    std::string name;
+    Material<dim> material;
     MagneticParameters magnetic;
-    ParticleSet<dim>   particles;
+    ParticleSet<dim> particles;
 
     /** Particles of the block in slot s, an owned one: run_begin[s] to run_begin[s + 1]. */
     std::vector<std::size_t> run_begin;

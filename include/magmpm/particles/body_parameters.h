@@ -19,17 +19,18 @@ namespace magmpm
   {
     std::string name;
     std::string material;
-    Shape       shape = Shape::box;
+    Shape shape = Shape::box;
     Vector<dim> lower_corner, upper_corner; ///< box [m]
     Vector<dim> centre;                     ///< sphere, cylinder (middle of the axis) [m]
-    double      radius = 0.;                ///< sphere, cylinder [m]
+    double radius = 0.;                     ///< sphere, cylinder [m]
     Vector<dim> axis;                       ///< cylinder: direction of the axis, any length
-    double      length            = 0.;     ///< cylinder [m]
-    double      density           = 0.;     ///< undeformed [kg/m^3]
-    int         particles_per_edge = 2;     ///< of a lattice cell: 2 means 2^dim per cell
-    double      jitter            = 0.;     ///< fraction of the particle spacing, 0 (regular) to 1
+    double length          = 0.;            ///< cylinder [m]
+    double density         = 0.;            ///< undeformed [kg/m^3]
+    int particles_per_edge = 2;             ///< of a lattice cell: 2 means 2^dim per cell
+    double jitter          = 0.;            ///< fraction of the particle spacing, 0 (regular) to 1
 
-    Vector<dim>                     velocity;         ///< at the start [m/s]
-    Vector<n_axial_components<dim>> angular_velocity; ///< spin at the start, about the centre of mass [rad/s]
+    Vector<dim> velocity; ///< at the start [m/s]
+    Vector<n_axial_components<dim>>
+      angular_velocity; ///< spin at the start, about the centre of mass [rad/s]
   };
 } // namespace magmpm

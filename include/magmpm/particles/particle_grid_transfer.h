@@ -14,10 +14,10 @@ namespace magmpm
    */
   struct ParticleExtremes
   {
-    double speed            = 0.; ///< |v| [m/s]
-    double signal_speed     = 0.; ///< wave speed of the deformed material + |v| [m/s]
-    double affine_velocity  = 0.; ///< Frobenius norm of C [1/s]
-    double max_volume_ratio = 0.; ///< J
+    double speed                    = 0.; ///< |v| [m/s]
+    double signal_speed             = 0.; ///< wave speed of the deformed material + |v| [m/s]
+    double affine_velocity          = 0.; ///< Frobenius norm of C [1/s]
+    double max_volume_ratio         = 0.; ///< J
     double max_inverse_volume_ratio = 0.; ///< 1/J; infinite where J <= 0
   };
 
@@ -32,10 +32,10 @@ namespace magmpm
   template <int dim>
   void
   particles_to_lattice(std::vector<Body<dim>> &bodies,
-                       const BlockSet<dim>    &blocks,
-                       const Lattice<dim>     &lattice,
-                       const double            time_step,
-                       NodeField<dim>         &field);
+                       const BlockSet<dim> &blocks,
+                       const Lattice<dim> &lattice,
+                       const double time_step,
+                       NodeField<dim> &field);
 
   /**
    * G2P and advection, Eqs. (35-37): velocity and affine velocity from the nodes, then deformation
@@ -46,10 +46,10 @@ namespace magmpm
    */
   template <int dim>
   std::vector<ParticleExtremes>
-  lattice_to_particles(const NodeField<dim>   &field,
-                       const BlockSet<dim>    &blocks,
-                       const Lattice<dim>     &lattice,
-                       const double            time_step,
+  lattice_to_particles(const NodeField<dim> &field,
+                       const BlockSet<dim> &blocks,
+                       const Lattice<dim> &lattice,
+                       const double time_step,
                        std::vector<Body<dim>> &bodies);
 
   /**
@@ -61,16 +61,16 @@ namespace magmpm
   template <int dim>
   void
   magnetic_content_to_lattice(std::vector<Body<dim>> &bodies,
-                              const BlockSet<dim>    &blocks,
-                              const Lattice<dim>     &lattice,
-                              NodeField<dim>         &content);
+                              const BlockSet<dim> &blocks,
+                              const Lattice<dim> &lattice,
+                              NodeField<dim> &content);
 
   /** What a quantity of the nodes becomes on magnetic particles. */
   template <int dim>
   void
-  interpolate_to_particles(const NodeField<dim>   &field,
-                           const BlockSet<dim>    &blocks,
-                           const Lattice<dim>     &lattice,
-                           const ParticleProperty  quantity,
+  interpolate_to_particles(const NodeField<dim> &field,
+                           const BlockSet<dim> &blocks,
+                           const Lattice<dim> &lattice,
+                           const ParticleProperty quantity,
                            std::vector<Body<dim>> &bodies);
 } // namespace magmpm

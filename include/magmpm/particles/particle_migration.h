@@ -16,7 +16,7 @@ namespace magmpm
    */
   template <int dim>
   std::size_t
-  migrate_particles(const MPI_Comm                   communicator,
+  migrate_particles(const MPI_Comm communicator,
                     const std::vector<unsigned int> &destination,
-                    ParticleSet<dim>                &particles);
+                    ParticleSet<dim> &particles);
 } // namespace magmpm

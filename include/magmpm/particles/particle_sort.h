@@ -11,7 +11,7 @@ namespace magmpm
   template <int dim>
   struct OccupiedBlocks
   {
-    std::vector<Index<dim>>   blocks; ///< sorted
+    std::vector<Index<dim>> blocks; ///< sorted
     std::vector<unsigned int> n_particles;
   };
 

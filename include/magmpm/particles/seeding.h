@@ -18,11 +18,11 @@ namespace magmpm
   template <int dim>
   void
   seed_particles(const BodyParameters<dim> &parameters,
-                 const Lattice<dim>        &lattice,
-                 const unsigned int         body_number,
-                 const unsigned int         rank,
-                 const unsigned int         n_ranks,
-                 Body<dim>                 &body);
+                 const Lattice<dim> &lattice,
+                 const unsigned int body_number,
+                 const unsigned int rank,
+                 const unsigned int n_ranks,
+                 Body<dim> &body);
 
   /** Whether a point lies in the body's shape. */
   template <int dim>
