@@ -1,6 +1,7 @@
 #include <magmpm/base/constants.h>
 #include <magmpm/base/exceptions.h>
 #include <magmpm/io/field_output.h>
+#include <magmpm/io/output_patches.h>
 #include <magmpm/magnetics/cell_stencil.h>
 #include <magmpm/magnetics/potential_space.h>
 #include <magmpm/materials/magnetization.h>
@@ -268,7 +269,7 @@ namespace magmpm
 
     /** The cells of this rank in the form deal.II writes. */
     template <int dim>
-    class FieldPatches : public dealii::DataOutInterface<dim>
+    class FieldPatches : public OutputPatches<dim, dim>
     {
     public:
       FieldPatches(const PotentialSpace<dim> &space,
@@ -276,39 +277,13 @@ namespace magmpm
                    const std::vector<std::string> &selection);
 
     private:
-      using Patch = dealii::DataOutBase::Patch<dim>;
-      using NonscalarRange =
-        std::tuple<unsigned int,
-                   unsigned int,
-                   std::string,
-                   dealii::DataComponentInterpretation::DataComponentInterpretation>;
-
-      const std::vector<Patch> &
-      get_patches() const override
-      {
-        return patches;
-      }
-
-      std::vector<std::string>
-      get_dataset_names() const override
-      {
-        return dataset_names;
-      }
-
-      std::vector<NonscalarRange>
-      get_nonscalar_data_ranges() const override
-      {
-        return nonscalar_ranges;
-      }
+      using Patch = typename OutputPatches<dim, dim>::Patch;
 
       template <typename Cell>
       void
       add_patch(const Cell &cell, const NodalFields<dim> &fields);
 
       std::vector<Quantity> quantities;
-      std::vector<Patch> patches;
-      std::vector<std::string> dataset_names; ///< one for each component
-      std::vector<NonscalarRange> nonscalar_ranges;
     };
 
     template <int dim>
@@ -319,15 +294,7 @@ namespace magmpm
       for (const Quantity &quantity : all_quantities())
         if (std::count(selection.begin(), selection.end(), quantity.name) > 0)
           {
-            const std::string name   = quantity.name + " [" + quantity.unit + "]";
-            const unsigned int first = dataset_names.size();
-            if (quantity.is_vector)
-              nonscalar_ranges.emplace_back(
-                first,
-                first + dim - 1,
-                name,
-                dealii::DataComponentInterpretation::component_is_part_of_vector);
-            dataset_names.insert(dataset_names.end(), quantity.is_vector ? dim : 1, name);
+            this->add_quantity(quantity.name, quantity.unit, quantity.is_vector ? dim : 1);
             quantities.push_back(quantity);
           }
 
@@ -342,7 +309,7 @@ namespace magmpm
     FieldPatches<dim>::add_patch(const Cell &cell, const NodalFields<dim> &fields)
     {
       Patch patch;
-      patch.patch_index    = patches.size();
+      patch.patch_index    = this->patches.size();
       patch.n_subdivisions = potential_degree;
       patch.reference_cell = dealii::ReferenceCells::get_hypercube<dim>();
       for (const unsigned int v : cell->vertex_indices())
@@ -350,7 +317,7 @@ namespace magmpm
 
       const auto dofs   = fields.dofs_of(cell);
       const double edge = cell->extent_in_direction(0);
-      patch.data.reinit(dataset_names.size(), n_cell_nodes<dim>);
+      patch.data.reinit(this->n_components(), n_cell_nodes<dim>);
       for (int node = 0; node < n_cell_nodes<dim>; ++node)
         {
           Vector<dim> position;
@@ -367,7 +334,7 @@ namespace magmpm
                 patch.data(row++, node) = static_cast<float>(components[c]);
             }
         }
-      patches.push_back(patch);
+      this->patches.push_back(patch);
     }
   } // namespace
 

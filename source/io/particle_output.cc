@@ -1,4 +1,5 @@
 #include <magmpm/base/exceptions.h>
+#include <magmpm/io/output_patches.h>
 #include <magmpm/io/particle_output.h>
 
 #include <deal.II/base/data_out_base.h>
@@ -21,72 +22,36 @@ namespace magmpm
 
     /** The particles in the form deal.II writes: patches of dimension 0, one vertex each. */
     template <int dim>
-    class ParticlePatches : public dealii::DataOutInterface<0, dim>
+    class ParticlePatches : public OutputPatches<0, dim>
     {
     public:
       ParticlePatches(const std::vector<Vector<dim>> &positions,
                       const std::vector<ParticleQuantity> &quantities);
 
-    private:
-      using Patch = dealii::DataOutBase::Patch<0, dim>;
-      using NonscalarRange =
-        std::tuple<unsigned int,
-                   unsigned int,
-                   std::string,
-                   dealii::DataComponentInterpretation::DataComponentInterpretation>;
-
-      const std::vector<Patch> &
-      get_patches() const override
-      {
-        return patches;
-      }
-
-      std::vector<std::string>
-      get_dataset_names() const override
-      {
-        return dataset_names;
-      }
-
-      std::vector<NonscalarRange>
-      get_nonscalar_data_ranges() const override
-      {
-        return nonscalar_ranges;
-      }
-
-      std::vector<Patch> patches;
-      std::vector<std::string> dataset_names; ///< one for each component
-      std::vector<NonscalarRange> nonscalar_ranges;
     };
 
     template <int dim>
     ParticlePatches<dim>::ParticlePatches(const std::vector<Vector<dim>> &positions,
                                           const std::vector<ParticleQuantity> &quantities)
-      : patches(positions.size())
     {
+      this->patches.resize(positions.size());
       for (const ParticleQuantity &quantity : quantities)
         {
           Assert(quantity.n_components == 1 || quantity.n_components == dim,
                  dealii::ExcMessage("A quantity is a scalar or a vector of the space."));
           AssertDimension(quantity.values.size(), quantity.n_components * positions.size());
 
-          const unsigned int first = dataset_names.size();
-          if (quantity.n_components > 1)
-            nonscalar_ranges.emplace_back(
-              first,
-              first + dim - 1,
-              written_name(quantity),
-              dealii::DataComponentInterpretation::component_is_part_of_vector);
-          dataset_names.insert(dataset_names.end(), quantity.n_components, written_name(quantity));
+          this->add_quantity(quantity.name, quantity.unit, quantity.n_components);
         }
 
       for (std::size_t p = 0; p < positions.size(); ++p)
         {
-          Patch &patch      = patches[p];
+          auto &patch       = this->patches[p];
           patch.patch_index = p;
           for (int d = 0; d < dim; ++d)
             patch.vertices[0][d] = positions[p][d];
 
-          patch.data.reinit(dataset_names.size(), 1);
+          patch.data.reinit(this->n_components(), 1);
           unsigned int component = 0;
           for (const ParticleQuantity &quantity : quantities)
             for (int c = 0; c < quantity.n_components; ++c)

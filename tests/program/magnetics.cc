@@ -80,8 +80,7 @@ end
   {
     return heading.find("wall time") != std::string::npos || heading == "migrated particles" ||
            heading == "fewest particles of a rank" || heading == "CG iterations" ||
-           heading.find("Newton residual") != std::string::npos ||
-           heading.find("dropped") != std::string::npos;
+           heading.find("Newton residual") != std::string::npos;
   }
 
   /** The columns of a vector are compared with its largest component: "momentum x" with "momentum". */
