@@ -181,6 +181,26 @@ namespace magmpm
     partition.update_ghosts(field);
   }
 
+  template <int dim>
+  std::vector<MaterialSample<dim>>
+  sample_material(const PotentialSolution<dim> &solution, const MaterialPoints<dim> &material)
+  {
+    std::vector<MaterialSample<dim>> samples;
+    for_active_cells(
+      solution, material, [&](const unsigned int cell, const PointFields<dim> &self_field) {
+        const unsigned int first = material.first_point(cell);
+        if (first == material.none)
+          return;
+        for (int q = 0; q < n_points<dim>; ++q)
+          samples.push_back({material.cell_position(cell) + material.point_position(q),
+                             material.weight(q),
+                             material.volume_fraction(first + q),
+                             self_field[q] + material.source_field(first + q),
+                             material.response(first + q, self_field[q]).magnetization});
+      });
+    return samples;
+  }
+
 #define MAGMPM_INSTANTIATE(dim)                                        \
   template void compute_split_force(const PotentialSolution<dim> &,    \
                                     const MaterialPoints<dim> &,       \
@@ -189,7 +209,9 @@ namespace magmpm
   template void compute_material_field(const PotentialSolution<dim> &, \
                                        const MaterialPoints<dim> &,    \
                                        const BlockPartition<dim> &,    \
-                                       NodeField<dim> &);
+                                       NodeField<dim> &);              \
+  template std::vector<MaterialSample<dim>> sample_material(           \
+    const PotentialSolution<dim> &, const MaterialPoints<dim> &);
 
   MAGMPM_INSTANTIATE(2)
   MAGMPM_INSTANTIATE(3)

@@ -64,6 +64,7 @@ namespace magmpm
           continue;
         stencil.interpolate(nodes, values);
         cells[c].first_point = size();
+        cells[c].position    = lattice.node_position(lattice_cells[c]);
         add_cell(lattice_cells[c], values, sources, lattice);
       }
   }

@@ -296,6 +296,13 @@ namespace magmpm
   }
 
   template <int dim>
+  std::vector<MaterialSample<dim>>
+  PotentialProblem<dim>::material_samples() const
+  {
+    return sample_material(implementation->solution, implementation->material);
+  }
+
+  template <int dim>
   unsigned long long
   PotentialProblem<dim>::n_unknowns() const
   {

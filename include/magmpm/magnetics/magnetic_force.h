@@ -1,6 +1,7 @@
 #pragma once
 
 #include <magmpm/magnetics/material_points.h>
+#include <magmpm/magnetics/potential_problem.h>
 #include <magmpm/magnetics/potential_space.h>
 #include <magmpm/mesh/block_partition.h>
 
@@ -34,4 +35,9 @@ namespace magmpm
                          const MaterialPoints<dim> &material,
                          const BlockPartition<dim> &partition,
                          NodeField<dim> &field);
+
+  /** The medium of this rank at the quadrature points with material. */
+  template <int dim>
+  std::vector<MaterialSample<dim>>
+  sample_material(const PotentialSolution<dim> &solution, const MaterialPoints<dim> &material);
 } // namespace magmpm

@@ -12,11 +12,19 @@ namespace magmpm
     ml   ///< algebraic multigrid of Trilinos on the assembled matrix
   };
 
+  /** What counts as material at a point. */
+  enum class MaterialIndicator
+  {
+    sharp,  ///< a volume fraction that falls from 1 to 0 at the surface, and a laminate in cut cells
+    smeared ///< the grain density that the particles spread on the lattice, as in the paper
+  };
+
   /** How the potential problem is posed and solved. */
   template <int dim>
   struct MagneticsParameters
   {
     MagnetizationLaw law          = MagnetizationLaw::langevin;
+    MaterialIndicator indicator   = MaterialIndicator::sharp;
     Preconditioner preconditioner = Preconditioner::gmg;
     double newton_tolerance       = 1e-10; ///< of the residual, relative to that of zero potential
     int max_newton_steps          = 25;

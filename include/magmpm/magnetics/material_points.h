@@ -61,6 +61,20 @@ namespace magmpm
       return lattice_cell == none ? none : cells[lattice_cell].first_point;
     }
 
+    /** The lower node of a lattice cell [m]. */
+    const Vector<dim> &
+    cell_position(const unsigned int lattice_cell) const
+    {
+      return cells[lattice_cell].position;
+    }
+
+    /** Of the quadrature point @p q of every cell from the lower node of the cell [m]. */
+    const Vector<dim> &
+    point_position(const int q) const
+    {
+      return positions[q];
+    }
+
     /** Points in cells with material. */
     unsigned int
     size() const
@@ -111,6 +125,7 @@ namespace magmpm
     {
       int slot = invalid_slot;
       Index<dim> corner;
+      Vector<dim> position;
       unsigned int first_point = none;
     };
 

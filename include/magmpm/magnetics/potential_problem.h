@@ -7,6 +7,7 @@
 #include <magmpm/mesh/block_partition.h>
 
 #include <memory>
+#include <vector>
 
 namespace dealii
 {
@@ -17,6 +18,17 @@ namespace magmpm
 {
   template <int dim>
   struct PotentialSolution;
+
+  /** The magnetic medium at one quadrature point. */
+  template <int dim>
+  struct MaterialSample
+  {
+    Vector<dim> position;      ///< [m]
+    double weight;             ///< of the quadrature [m^dim]
+    double fraction;           ///< of the volume that is magnetic material [-]
+    Vector<dim> field;         ///< H, the total one, in the material [A/m]
+    Vector<dim> magnetization; ///< mean M over material and vacuum [A/m]: int M is the moment
+  };
 
   /**
    * The magnetic scalar potential of the scene: finds phi with h = -grad phi, H = H_ext + h and
@@ -72,6 +84,10 @@ namespace magmpm
      */
     void
     compute_field(NodeField<dim> &field) const;
+
+    /** The medium of this rank at the last solve, for integrals over it. */
+    std::vector<MaterialSample<dim>>
+    material_samples() const;
 
     /** Degrees of freedom of the potential, of all ranks; zero before the first solve. */
     unsigned long long

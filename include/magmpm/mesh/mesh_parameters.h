@@ -17,6 +17,9 @@ namespace magmpm
     /** Faces (-x, +x, -y, ...) where the potential box ends at the wall (mirror condition). */
     std::array<bool, 2 *dim> shielded = {};
 
+    /** Edge of the cells where material is, in dx: 2 or 1. */
+    int cell_edge = 2;
+
     /**
      * Cells are fine in the active blocks and this many blocks further, where the mesh changes; then
      * they stay until the active blocks are twice as far.
