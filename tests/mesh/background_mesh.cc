@@ -115,11 +115,12 @@ namespace
     return cells;
   }
 
-  /** All blocks around @p blocks consist of cells of edge 2 dx that are on one rank, the owner. */
+  /** All blocks around @p blocks consist of the finest cells, which are on one rank, the owner. */
   template <int dim>
   void
   check_fine_around(const std::vector<Index<dim>> &blocks, const BackgroundMesh<dim> &mesh)
   {
+    const int edge = mesh.parameters().cell_edge;
     std::vector<Index<dim>> around;
     for (const Index<dim> &block : blocks)
       for (int n = 0; n < n_neighbours<dim>; ++n)
@@ -130,8 +131,8 @@ namespace
     for (std::size_t b = 0; b < around.size(); ++b)
       {
         const auto found = cells.find(around[b]);
-        n_wrong += (found == cells.end() || found->second.n != power(2, dim) ||
-                    found->second.edges != std::set<int>{2} ||
+        n_wrong += (found == cells.end() || found->second.n != power(block_edge / edge, dim) ||
+                    found->second.edges != std::set<int>{edge} ||
                     found->second.owners != std::set<unsigned int>{owners[b]});
       }
     CHECK(n_wrong == 0);
@@ -211,21 +212,27 @@ TEST_CASE("without a potential the mesh is no larger than the mechanical box nee
     CHECK(cells.at(block).edges == std::set<int>{block_edge});
 }
 
-TEMPLATE_TEST_CASE_SIG("cells of edge 2 dx cover all active blocks, each on its owner",
+TEMPLATE_TEST_CASE_SIG("the finest cells cover all active blocks, each on its owner",
                        "[mesh][mpi]",
                        ((int dim), dim),
                        2,
                        3)
 {
   // A body that moves through the box, jumps, and touches a wall: every block with particles or next
-  // to one is made of 2^dim cells of edge 2 dx. p4est keeps such a family on one rank, and owners()
-  // must name it, the same on all ranks.
-  BackgroundMesh<dim> mesh(
-    MPI_COMM_WORLD, lattice_of_blocks<dim>(uniform_index<dim>(8)), MeshParameters<dim>());
-  for (const int place : {1, 2, 4, 0, 6})
+  // to one is made of 2^dim cells of edge 2 dx, or 4^dim of edge dx. p4est keeps a family of 2^dim
+  // on one rank, the weights of the cells keep more of them there, and owners() must name it, the
+  // same on all ranks.
+  for (const int cell_edge : {2, 1})
     {
-      adapt<dim>(body_at<dim>(place), mesh);
-      check_fine_around<dim>(body_at<dim>(place), mesh);
+      MeshParameters<dim> parameters;
+      parameters.cell_edge = cell_edge;
+      BackgroundMesh<dim> mesh(
+        MPI_COMM_WORLD, lattice_of_blocks<dim>(uniform_index<dim>(8)), parameters);
+      for (const int place : {1, 2, 4, 0, 6})
+        {
+          adapt<dim>(body_at<dim>(place), mesh);
+          check_fine_around<dim>(body_at<dim>(place), mesh);
+        }
     }
 }
 
