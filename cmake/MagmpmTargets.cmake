@@ -22,6 +22,11 @@ if(MAGMPM_NATIVE)
   target_compile_options(magmpm_options INTERFACE -march=native
                                                   -DMAGMPM_PROCESSOR=0x${native_processor})
 endif()
+# All of a program has to see the same SIMD lanes, so the definition goes to every file. Newer deal.II
+# has other templates inside.
+if(MAGMPM_WIDE_SIMD AND MAGMPM_NATIVE AND DEAL_II_VERSION VERSION_LESS 9.5)
+  target_compile_definitions(magmpm_options INTERFACE MAGMPM_WIDE_SIMD)
+endif()
 if(MAGMPM_SANITIZE)
   target_compile_options(magmpm_options INTERFACE -fsanitize=${MAGMPM_SANITIZE}
                                                   -fno-omit-frame-pointer -g)
