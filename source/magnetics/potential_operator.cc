@@ -116,8 +116,10 @@ namespace magmpm
   {
     // integrate() below overwrites the values of the cell.
     const unsigned int batch = u.get_current_cell_index();
+    const bool has_boundary  = first_matrix[batch] != invalid_entry;
     Lanes boundary_part[n_cell_dofs];
-    boundary_product(batch, u.begin_dof_values(), boundary_part);
+    if (has_boundary)
+      boundary_product(batch, u.begin_dof_values(), boundary_part);
 
     u.evaluate(dealii::EvaluationFlags::gradients);
     if (first_tensor[batch] == invalid_entry)
@@ -128,8 +130,9 @@ namespace magmpm
         u.submit_gradient(tensors[first_tensor[batch] + q] * u.get_gradient(q), q);
     u.integrate(dealii::EvaluationFlags::gradients);
 
-    for (unsigned int i = 0; i < n_cell_dofs; ++i)
-      u.begin_dof_values()[i] += boundary_part[i];
+    if (has_boundary)
+      for (unsigned int i = 0; i < n_cell_dofs; ++i)
+        u.begin_dof_values()[i] += boundary_part[i];
   }
 
   template <int dim, typename Number>
