@@ -109,3 +109,13 @@ if(EXISTS ${PROJECT_SOURCE_DIR}/source/main.cc)
   add_executable(magmpm source/main.cc)
   target_link_libraries(magmpm PRIVATE magmpm_core magmpm_processor_check)
 endif()
+
+# SIMD lanes of the potential solver. All that includes simd_lanes.h has to see the same, so the
+# definition goes to all users of the library. The templates inside later deal.II are others.
+if(MAGMPM_WIDE_SIMD AND MAGMPM_NATIVE AND core_sources)
+  if(DEAL_II_VERSION VERSION_LESS 9.5)
+    target_compile_definitions(magmpm_core PUBLIC MAGMPM_WIDE_SIMD)
+  else()
+    message(STATUS "The potential solver takes the SIMD lanes of deal.II ${DEAL_II_VERSION}")
+  endif()
+endif()

@@ -26,7 +26,8 @@ namespace magmpm
       const auto &cells                = *space.matrix_free;
 
       solution.potential.update_ghost_values();
-      dealii::FEEvaluation<dim, potential_degree, n_points_1d> phi(cells);
+      dealii::FEEvaluation<dim, potential_degree, n_points_1d, 1, double, CellLanes<double>> phi(
+        cells);
       PointFields<dim> self_field;
       for (unsigned int batch = 0; batch < cells.n_cell_batches(); ++batch)
         {

@@ -215,14 +215,14 @@ namespace magmpm
         dealii::AffineConstraints<double> no_constraints;
         no_constraints.close();
 
-        typename dealii::MatrixFree<dim, float>::AdditionalData data;
-        data.tasks_parallel_scheme = dealii::MatrixFree<dim, float>::AdditionalData::none;
+        typename CellBatches<dim, float>::AdditionalData data;
+        data.tasks_parallel_scheme = CellBatches<dim, float>::AdditionalData::none;
         data.mapping_update_flags  = dealii::update_gradients | dealii::update_JxW_values;
         data.mg_level              = level;
-        auto cells                 = std::make_shared<dealii::MatrixFree<dim, float>>();
+        auto cells                 = std::make_shared<CellBatches<dim, float>>();
         cells->reinit(
           space.mapping, space.dof_handler, no_constraints, dealii::QGauss<1>(n_points_1d), data);
-        operators[level].initialize(cells, constraints, level);
+        operators[level].initialize_level(cells, constraints, level);
         interfaces[level].initialize(operators[level]);
       }
   }

@@ -4,6 +4,30 @@
 
 namespace magmpm
 {
+  namespace
+  {
+    /** Values at points to values at nodes along one axis, in place; @p matrix[node][point]. */
+    template <typename Lanes, std::size_t n_values>
+    void
+    contract(const Lanes *matrix, const unsigned int stride, Lanes (&values)[n_values])
+    {
+      constexpr unsigned int n = n_points_1d;
+      for (unsigned int line = 0; line < n_values / n; ++line)
+        {
+          Lanes *first = values + line % stride + line / stride * stride * n;
+          Lanes in[n];
+          for (unsigned int q = 0; q < n; ++q)
+            in[q] = first[q * stride];
+          for (unsigned int i = 0; i < n; ++i)
+            {
+              first[i * stride] = matrix[i * n] * in[0];
+              for (unsigned int q = 1; q < n; ++q)
+                first[i * stride] += matrix[i * n + q] * in[q];
+            }
+        }
+    }
+  } // namespace
+
   template <int dim, typename Number>
   void
   PotentialOperator<dim, Number>::clear()
@@ -12,14 +36,15 @@ namespace magmpm
     first_matrix.clear();
     tensors.clear();
     matrices.clear();
-    dealii::MatrixFreeOperators::Base<dim, VectorType>::clear();
+    is_at_edge.clear();
+    Base::clear();
   }
 
   template <int dim, typename Number>
   void
   PotentialOperator<dim, Number>::set_permeability(const CellPermeability &permeability)
   {
-    const dealii::MatrixFree<dim, Number> &cells = *this->data;
+    const CellBatches<dim, Number> &cells = *this->data;
     first_tensor.assign(cells.n_cell_batches(), invalid_entry);
     tensors.resize(0);
     for (unsigned int batch = 0; batch < cells.n_cell_batches(); ++batch)
@@ -45,8 +70,8 @@ namespace magmpm
   void
   PotentialOperator<dim, Number>::set_boundary_matrices(const CellMatrix &cell_matrix)
   {
-    const dealii::MatrixFree<dim, Number> &cells = *this->data;
-    constexpr unsigned int size                  = n_cell_dofs * n_cell_dofs;
+    const CellBatches<dim, Number> &cells = *this->data;
+    constexpr unsigned int size           = n_cell_dofs * n_cell_dofs;
     first_matrix.assign(cells.n_cell_batches(), invalid_entry);
     matrices.resize(0);
     for (unsigned int batch = 0; batch < cells.n_cell_batches(); ++batch)
@@ -91,8 +116,10 @@ namespace magmpm
   {
     // integrate() below overwrites the values of the cell.
     const unsigned int batch = u.get_current_cell_index();
+    const bool has_boundary  = first_matrix[batch] != invalid_entry;
     Lanes boundary_part[n_cell_dofs];
-    boundary_product(batch, u.begin_dof_values(), boundary_part);
+    if (has_boundary)
+      boundary_product(batch, u.begin_dof_values(), boundary_part);
 
     u.evaluate(dealii::EvaluationFlags::gradients);
     if (first_tensor[batch] == invalid_entry)
@@ -103,8 +130,9 @@ namespace magmpm
         u.submit_gradient(tensors[first_tensor[batch] + q] * u.get_gradient(q), q);
     u.integrate(dealii::EvaluationFlags::gradients);
 
-    for (unsigned int i = 0; i < n_cell_dofs; ++i)
-      u.begin_dof_values()[i] += boundary_part[i];
+    if (has_boundary)
+      for (unsigned int i = 0; i < n_cell_dofs; ++i)
+        u.begin_dof_values()[i] += boundary_part[i];
   }
 
   template <int dim, typename Number>
@@ -112,13 +140,15 @@ namespace magmpm
   PotentialOperator<dim, Number>::apply_add(VectorType &dst, const VectorType &src) const
   {
     this->data->template cell_loop<VectorType, VectorType>(
-      [this](const dealii::MatrixFree<dim, Number> &cells,
+      [this](const CellBatches<dim, Number> &cells,
              VectorType &result,
              const VectorType &values,
              const std::pair<unsigned int, unsigned int> &range) {
         Evaluation u(cells);
         for (unsigned int batch = range.first; batch < range.second; ++batch)
           {
+            if (edge_only && !is_at_edge[batch])
+              continue;
             u.reinit(batch);
             u.read_dof_values(values);
             apply_to_cell(u);
@@ -131,14 +161,116 @@ namespace magmpm
 
   template <int dim, typename Number>
   void
+  PotentialOperator<dim, Number>::initialize_level(
+    const std::shared_ptr<const CellBatches<dim, Number>> &cells,
+    const dealii::MGConstrainedDoFs &constraints,
+    const unsigned int level)
+  {
+    this->initialize(cells, constraints, level);
+
+    VectorType is_edge;
+    cells->initialize_dof_vector(is_edge);
+    for (const auto dof : constraints.get_refinement_edge_indices(level))
+      if (is_edge.in_local_range(dof))
+        is_edge(dof) = Number(1.);
+    is_edge.update_ghost_values();
+    Evaluation u(*cells);
+    is_at_edge.assign(cells->n_cell_batches(), false);
+    for (unsigned int batch = 0; batch < cells->n_cell_batches(); ++batch)
+      {
+        u.reinit(batch);
+        u.read_dof_values(is_edge);
+        for (unsigned int i = 0; i < n_cell_dofs; ++i)
+          for (unsigned int lane = 0; lane < Lanes::size(); ++lane)
+            if (u.begin_dof_values()[i][lane] != Number(0.))
+              is_at_edge[batch] = true;
+      }
+  }
+
+  template <int dim, typename Number>
+  void
+  PotentialOperator<dim, Number>::vmult_interface_down(VectorType &dst, const VectorType &src) const
+  {
+    edge_only = true;
+    Base::vmult_interface_down(dst, src);
+    edge_only = false;
+  }
+
+  template <int dim, typename Number>
+  void
+  PotentialOperator<dim, Number>::vmult_interface_up(VectorType &dst, const VectorType &src) const
+  {
+    edge_only = true;
+    Base::vmult_interface_up(dst, src);
+    edge_only = false;
+  }
+
+  template <int dim, typename Number>
+  void
+  PotentialOperator<dim, Number>::cell_diagonal(const Evaluation &u, Lanes *diagonal) const
+  {
+    constexpr unsigned int n = n_points_1d;
+    static_assert(n == potential_degree + 1, "contractions are done in place");
+
+    // Of two shape functions or derivatives in one dimension, by the number of derivatives.
+    const auto &shape = u.get_shape_info().data[0];
+    Lanes products[3][n * n];
+    for (unsigned int i = 0; i < n * n; ++i)
+      {
+        products[0][i] = shape.shape_values[i] * shape.shape_values[i];
+        products[1][i] = shape.shape_values[i] * shape.shape_gradients[i];
+        products[2][i] = shape.shape_gradients[i] * shape.shape_gradients[i];
+      }
+
+    const unsigned int batch = u.get_current_cell_index();
+    const bool is_vacuum     = first_tensor[batch] == invalid_entry;
+    std::fill_n(diagonal, n_cell_dofs, Lanes(Number(0.)));
+    for (unsigned int a = 0; a < dim; ++a)
+      for (unsigned int b = is_vacuum ? a : 0; b <= a; ++b)
+        {
+          Lanes values[n_points<dim>];
+          for (unsigned int q = 0; q < n_points<dim>; ++q)
+            {
+              const auto inverse_jacobian = u.inverse_jacobian(q); // cells are cubes
+              values[q]                   = Number(a == b ? 1. : 2.) * u.JxW(q) *
+                          (inverse_jacobian[a][a] * inverse_jacobian[b][b]);
+              if (!is_vacuum)
+                values[q] *= tensors[first_tensor[batch] + q][a][b];
+            }
+          for (unsigned int axis = 0, stride = 1; axis < dim; ++axis, stride *= n)
+            contract(products[(axis == a) + (axis == b)], stride, values);
+          for (unsigned int i = 0; i < n_cell_dofs; ++i)
+            diagonal[i] += values[i];
+        }
+    if (first_matrix[batch] != invalid_entry)
+      for (unsigned int i = 0; i < n_cell_dofs; ++i)
+        diagonal[i] += matrices[first_matrix[batch] + i * (n_cell_dofs + 1)];
+  }
+
+  template <int dim, typename Number>
+  void
   PotentialOperator<dim, Number>::compute_diagonal()
   {
-    this->inverse_diagonal_entries = std::make_shared<dealii::DiagonalMatrix<VectorType>>();
-    VectorType &diagonal           = this->inverse_diagonal_entries->get_vector();
-    this->data->initialize_dof_vector(diagonal);
-    dealii::MatrixFreeTools::
-      compute_diagonal<dim, potential_degree, n_points_1d, 1, Number, Lanes, VectorType>(
-        *this->data, diagonal, [this](Evaluation &u) { apply_to_cell(u); });
+    const CellBatches<dim, Number> &cells = *this->data;
+    this->inverse_diagonal_entries        = std::make_shared<dealii::DiagonalMatrix<VectorType>>();
+    VectorType &diagonal                  = this->inverse_diagonal_entries->get_vector();
+    cells.initialize_dof_vector(diagonal);
+    Evaluation u(cells);
+    if (cells.get_mg_level() == dealii::numbers::invalid_unsigned_int)
+      // Beside hanging nodes it takes the whole element matrix.
+      dealii::MatrixFreeTools::
+        compute_diagonal<dim, potential_degree, n_points_1d, 1, Number, Lanes, VectorType>(
+          cells, diagonal, [this](Evaluation &u) { apply_to_cell(u); });
+    else
+      {
+        for (unsigned int batch = 0; batch < cells.n_cell_batches(); ++batch)
+          {
+            u.reinit(batch);
+            cell_diagonal(u, u.begin_dof_values());
+            u.distribute_local_to_global(diagonal);
+          }
+        diagonal.compress(dealii::VectorOperation::add);
+      }
     this->set_constrained_entries_to_one(diagonal);
     for (auto &entry : diagonal)
       entry = Number(1.) / entry;

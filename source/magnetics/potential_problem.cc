@@ -261,7 +261,8 @@ namespace magmpm
     newton.tolerance = problem.parameters.newton_tolerance * report.zero_residual;
     newton.max_steps = problem.parameters.max_newton_steps;
     newton.is_linear = problem.parameters.law == MagnetizationLaw::linear;
-    report.newton    = damped_newton<PotentialVector>(problem, newton, potential);
+    report.newton    = damped_newton<PotentialVector>(
+      problem, newton, potential, potential.all_zero() ? &residual : nullptr);
 
     report.preconditioner_rebuilt = problem.has_rebuilt;
     report.energy                 = -constants::vacuum_permeability * problem.residual.energy();

@@ -17,7 +17,7 @@ namespace magmpm
     tensors.resize(material.size());
     local_energy = 0.;
 
-    const auto evaluate_cells = [&](const dealii::MatrixFree<dim, double> &cells,
+    const auto evaluate_cells = [&](const CellBatches<dim, double> &cells,
                                     PotentialVector &result,
                                     const PotentialVector &values,
                                     const std::pair<unsigned int, unsigned int> &range) {

@@ -29,10 +29,10 @@ namespace magmpm
   void
   PotentialSpace<dim>::set_up_matrix_free()
   {
-    typename dealii::MatrixFree<dim, double>::AdditionalData data;
-    data.tasks_parallel_scheme = dealii::MatrixFree<dim, double>::AdditionalData::none;
+    typename CellBatches<dim, double>::AdditionalData data;
+    data.tasks_parallel_scheme = CellBatches<dim, double>::AdditionalData::none;
     data.mapping_update_flags  = dealii::update_gradients | dealii::update_JxW_values;
-    auto storage               = std::make_shared<dealii::MatrixFree<dim, double>>();
+    auto storage               = std::make_shared<CellBatches<dim, double>>();
     storage->reinit(mapping, dof_handler, constraints, dealii::QGauss<1>(n_points_1d), data);
     matrix_free = storage;
   }
@@ -56,7 +56,7 @@ namespace magmpm
           lattice_cells.push_back(lattice.nearest_node(corner));
         }
 
-    const unsigned int n_lanes = dealii::VectorizedArray<double>::size();
+    const unsigned int n_lanes = CellLanes<double>::size();
     lattice_cell_of_lane.assign(matrix_free->n_cell_batches() * n_lanes, invalid_entry);
     for (unsigned int batch = 0; batch < matrix_free->n_cell_batches(); ++batch)
       for (unsigned int lane = 0; lane < matrix_free->n_active_entries_per_cell_batch(batch);

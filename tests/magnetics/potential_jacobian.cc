@@ -1,6 +1,8 @@
 #include "catch.h"
 #include "scene.h"
 
+#include <deal.II/base/quadrature_lib.h>
+
 #include <magmpm/magnetics/ml_preconditioner.h>
 #include <magmpm/magnetics/potential_residual.h>
 
@@ -23,7 +25,7 @@ namespace
       for (int d = 0; d < dim; ++d)
         centre[d] = spacing * (8.3 + 0.2 * d);
       scene.set_bodies({sphere<dim>(centre, 3. * spacing, {9e4, 3.})});
-      space = std::make_unique<PotentialSpace<dim>>(scene.mesh, false);
+      space = std::make_unique<PotentialSpace<dim>>(scene.mesh, true);
       material.reinit(space->lattice_cells, scene.content, sources);
       boundary = std::make_unique<OpenBoundary<dim>>(*space, std::array<bool, 2 * dim>{}, centre);
 
@@ -66,6 +68,24 @@ namespace
       return result;
     }
 
+    /** Batches of cells of which some lanes hold material and some do not, on all ranks. */
+    unsigned int
+    n_mixed_batches() const
+    {
+      const auto &cells = *space->matrix_free;
+      unsigned int n    = 0;
+      for (unsigned int batch = 0; batch < cells.n_cell_batches(); ++batch)
+        {
+          const unsigned int n_lanes = cells.n_active_entries_per_cell_batch(batch);
+          unsigned int n_material    = 0;
+          for (unsigned int lane = 0; lane < n_lanes; ++lane)
+            n_material += residual.permeability(material, space->lattice_cell(batch, lane)) !=
+                          nullptr;
+          n += n_material > 0 && n_material < n_lanes;
+        }
+      return dealii::Utilities::MPI::sum(n, MPI_COMM_WORLD);
+    }
+
     static Vector<dim>
     uniform_field()
     {
@@ -101,6 +121,10 @@ TEMPLATE_TEST_CASE_SIG("The matrix-free Jacobian is the assembled matrix",
   PotentialVector potential = test.arbitrary(0.);
   potential *= amplitude;
   test.linearize(potential);
+
+  // What SIMD lanes can get wrong is there: lanes that differ, and hanging nodes.
+  CHECK(test.n_mixed_batches() >= (CellLanes<double>::size() > 1 ? 1 : 0));
+  CHECK(dealii::Utilities::MPI::sum(test.space->constraints.n_constraints(), MPI_COMM_WORLD) > 0);
 
   MLPreconditioner<dim> assembled(*test.space);
   assembled.rebuild(
@@ -177,4 +201,98 @@ TEMPLATE_TEST_CASE_SIG("The matrix-free diagonal is that of the matrix",
     if (!test.space->constraints.is_constrained(i))
       error = std::max(error, std::abs(inverse(i) * assembled.matrix().diag_element(i) - 1.));
   CHECK(dealii::Utilities::MPI::max(error, MPI_COMM_WORLD) < 1e-12);
+}
+
+namespace
+{
+  /** The operator of one level, with arbitrary permeabilities on every third cell. */
+  template <int dim>
+  void
+  set_up_level(const JacobianTest<dim> &test,
+               const dealii::MGConstrainedDoFs &constraints,
+               const unsigned int level,
+               PotentialOperator<dim, double> &level_operator)
+  {
+    dealii::AffineConstraints<double> no_constraints;
+    no_constraints.close();
+    typename CellBatches<dim, double>::AdditionalData data;
+    data.mg_level = level;
+    auto cells    = std::make_shared<CellBatches<dim, double>>();
+    cells->reinit(test.space->mapping,
+                  test.space->dof_handler,
+                  no_constraints,
+                  dealii::QGauss<1>(n_points_1d),
+                  data);
+    level_operator.initialize_level(cells, constraints, level);
+
+    std::array<dealii::SymmetricTensor<2, dim>, n_points<dim>> values;
+    level_operator.set_permeability(
+      [&](const unsigned int batch, const unsigned int lane) -> decltype(values.data()) {
+        const auto cell = cells->get_cell_iterator(batch, lane);
+        if (cell->index() % 3 != 0)
+          return nullptr;
+        for (int q = 0; q < n_points<dim>; ++q)
+          for (int i = 0; i < dim; ++i)
+            for (int j = 0; j <= i; ++j)
+              values[q][i][j] = (i == j ? 3. : 0.) + std::sin(q + 2. * i + j + cell->center()[0]);
+        return values.data();
+      });
+    dealii::FullMatrix<double> matrix;
+    level_operator.set_boundary_matrices([&](const unsigned int batch, const unsigned int lane) {
+      return test.boundary->element_matrix(cells->get_cell_iterator(batch, lane), matrix) ? &matrix
+                                                                                          : nullptr;
+    });
+  }
+} // namespace
+
+// On the levels of multigrid the diagonal is that of the operator, found by applying it to unit vectors;
+// and the operators at the edge of a level are those of a loop over all of its cells.
+TEMPLATE_TEST_CASE_SIG("Diagonal and edge of a level are those of its operator",
+                       "[magnetics][mpi]",
+                       ((int dim), dim),
+                       2,
+                       3)
+{
+  const JacobianTest<dim> test(MagnetizationLaw::langevin);
+  dealii::MGConstrainedDoFs constraints;
+  constraints.initialize(test.space->dof_handler);
+  bool has_edge = false;
+  for (unsigned int level = 0; level < test.scene.mesh.triangulation().n_global_levels(); ++level)
+    {
+      CAPTURE(level);
+      PotentialOperator<dim, double> level_operator;
+      set_up_level(test, constraints, level, level_operator);
+      level_operator.compute_diagonal();
+      const auto &inverse = level_operator.get_matrix_diagonal_inverse()->get_vector();
+      PotentialVector unit, product;
+      unit.reinit(inverse);
+      product.reinit(inverse);
+      double error = 0.;
+      for (dealii::types::global_dof_index i = 0; i < unit.size(); i += 1 + unit.size() / 200)
+        {
+          const bool is_mine = unit.in_local_range(i);
+          unit               = 0.;
+          if (is_mine)
+            unit(i) = 1.;
+          level_operator.vmult(product, unit);
+          if (is_mine)
+            error = std::max(error, std::abs(product(i) * inverse(i) - 1.));
+        }
+      CHECK(dealii::Utilities::MPI::max(error, MPI_COMM_WORLD) < 1e-13);
+
+      using Base = dealii::MatrixFreeOperators::Base<dim, PotentialVector, CellLanes<double>>;
+      PotentialVector of_all_cells(product);
+      for (const auto i : unit.locally_owned_elements())
+        unit(i) = std::sin(1. + 1.3 * static_cast<double>(i));
+      level_operator.vmult_interface_down(product, unit);
+      level_operator.Base::vmult_interface_down(of_all_cells, unit);
+      has_edge = has_edge || of_all_cells.l2_norm() > 0.;
+      of_all_cells -= product;
+      CHECK(of_all_cells.linfty_norm() < 1e-13);
+      level_operator.vmult_interface_up(product, unit);
+      level_operator.Base::vmult_interface_up(of_all_cells, unit);
+      of_all_cells -= product;
+      CHECK(of_all_cells.linfty_norm() < 1e-13);
+    }
+  CHECK(has_edge);
 }

@@ -92,14 +92,16 @@ namespace magmpm
    * energy both fall along the Newton direction, and backtracking on either converges from any start.
    * The norm is taken because near the solution the energy changes by less than its rounding error.
    *
-   * @param x  start on entry, solution on return.
+   * @param x               start on entry, solution on return.
+   * @param start_residual  F(x) at the start, if that is where @p problem was evaluated last.
    * @throw RunError with the history of the residual if @p parameters are not met.
    */
   template <typename VectorType>
   NewtonReport
   damped_newton(NewtonProblem<VectorType> &problem,
                 const NewtonParameters &parameters,
-                VectorType &x)
+                VectorType &x,
+                const VectorType *start_residual = nullptr)
   {
     constexpr double sufficient_decrease = 1e-4;
     constexpr int max_halvings           = 16;
@@ -108,7 +110,10 @@ namespace magmpm
     VectorType residual, step, start;
     residual.reinit(x);
     step.reinit(x);
-    problem.evaluate(x, residual);
+    if (start_residual)
+      residual = *start_residual;
+    else
+      problem.evaluate(x, residual);
     report.residuals.push_back(residual.l2_norm());
 
     double eta = 0.;

@@ -22,12 +22,12 @@ namespace magmpm
    */
   template <int dim, typename Number>
   class PotentialOperator
-    : public dealii::MatrixFreeOperators::Base<dim,
-                                               dealii::LinearAlgebra::distributed::Vector<Number>>
+    : public dealii::MatrixFreeOperators::
+        Base<dim, dealii::LinearAlgebra::distributed::Vector<Number>, CellLanes<Number>>
   {
   public:
     using VectorType = dealii::LinearAlgebra::distributed::Vector<Number>;
-    using Lanes      = dealii::VectorizedArray<Number>;
+    using Lanes      = CellLanes<Number>;
     using Evaluation = dealii::FEEvaluation<dim, potential_degree, n_points_1d, 1, Number, Lanes>;
 
     static constexpr unsigned int n_cell_dofs = Evaluation::static_dofs_per_cell;
@@ -40,6 +40,12 @@ namespace magmpm
     /** The element matrix of a cell (batch, lane), lexicographic, or a null pointer. */
     using CellMatrix =
       std::function<const dealii::FullMatrix<double> *(const unsigned int, const unsigned int)>;
+
+    /** In place of initialize() for the operator of one level of multigrid. */
+    void
+    initialize_level(const std::shared_ptr<const CellBatches<dim, Number>> &cells,
+                     const dealii::MGConstrainedDoFs &constraints,
+                     const unsigned int level);
 
     void
     set_permeability(const CellPermeability &permeability);
@@ -55,6 +61,16 @@ namespace magmpm
     clear() override;
 
     /**
+     * The parts of the operator of a level that couple the edge of its refined region with the inside,
+     * for dealii::MatrixFreeOperators::MGInterfaceOperator. Loop over the cells at that edge only.
+     */
+    void
+    vmult_interface_down(VectorType &dst, const VectorType &src) const;
+
+    void
+    vmult_interface_up(VectorType &dst, const VectorType &src) const;
+
+    /**
      * The element matrices at the open boundary times the values of a batch of cells: R_K u, zero where
      * there are none.
      *
@@ -64,6 +80,11 @@ namespace magmpm
     boundary_product(const unsigned int batch, const Lanes *values, Lanes *product) const;
 
   private:
+    using Base = dealii::MatrixFreeOperators::Base<dim, VectorType, Lanes>;
+
+    std::vector<bool> is_at_edge;   ///< of the refined region, by batch
+    mutable bool edge_only = false; ///< whether apply_add() leaves the other batches out
+
     std::vector<unsigned int> first_tensor; ///< in tensors, by batch; invalid_entry: K = I
     std::vector<unsigned int> first_matrix; ///< in matrices, by batch; invalid_entry: none
 
@@ -72,6 +93,10 @@ namespace magmpm
 
     void
     apply_to_cell(Evaluation &u) const;
+
+    /** The diagonal of the element matrices of the present batch, by sum factorization. */
+    void
+    cell_diagonal(const Evaluation &u, Lanes *diagonal) const;
 
     void
     apply_add(VectorType &dst, const VectorType &src) const override;

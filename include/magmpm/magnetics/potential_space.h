@@ -8,6 +8,7 @@
 #include <deal.II/lac/la_parallel_vector.h>
 #include <deal.II/matrix_free/matrix_free.h>
 
+#include <magmpm/magnetics/simd_lanes.h>
 #include <magmpm/mesh/background_mesh.h>
 
 #include <limits>
@@ -21,6 +22,10 @@ namespace magmpm
 
   /** Stands for a cell that has no entry in a table. */
   inline constexpr unsigned int invalid_entry = std::numeric_limits<unsigned int>::max();
+
+  /** deal.II's MatrixFree, with as many cells in a batch as a SIMD register has numbers. */
+  template <int dim, typename Number>
+  using CellBatches = dealii::MatrixFree<dim, Number, CellLanes<Number>>;
 
   /** Coefficients of the potential; also its residual and the steps of Newton's method. */
   using PotentialVector = dealii::LinearAlgebra::distributed::Vector<double>;
@@ -49,7 +54,7 @@ namespace magmpm
 
     dealii::AffineConstraints<double> constraints; ///< hanging nodes
 
-    std::shared_ptr<const dealii::MatrixFree<dim, double>> matrix_free;
+    std::shared_ptr<const CellBatches<dim, double>> matrix_free;
 
     /** Lower node of every lattice cell. */
     std::vector<Index<dim>> lattice_cells;
@@ -66,7 +71,7 @@ namespace magmpm
     unsigned int
     lattice_cell(const unsigned int batch, const unsigned int lane) const
     {
-      return lattice_cell_of_lane[batch * dealii::VectorizedArray<double>::size() + lane];
+      return lattice_cell_of_lane[batch * CellLanes<double>::size() + lane];
     }
 
     /** A vector of this space with the ghosts that matrix_free needs; zero. */
