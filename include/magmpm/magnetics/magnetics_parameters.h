@@ -8,14 +8,15 @@ namespace magmpm
 {
   enum class Preconditioner
   {
-    gmg, ///< geometric multigrid on deal.II's MatrixFree
-    ml   ///< algebraic multigrid of Trilinos on the assembled matrix
+    gmg,  ///< geometric multigrid on deal.II's MatrixFree
+    ml,   ///< algebraic multigrid on the assembled matrix: Trilinos ML, on Epetra
+    muelu ///< the same: Trilinos MueLu, with matrix and CG on Tpetra
   };
 
   /** What counts as material at a point. */
   enum class MaterialIndicator
   {
-    sharp,  ///< a volume fraction that falls from 1 to 0 at the surface, and a laminate in cut cells
+    sharp, ///< a volume fraction that falls from 1 to 0 at the surface, and a laminate in cut cells
     smeared ///< the grain density that the particles spread on the lattice, as in the paper
   };
 
