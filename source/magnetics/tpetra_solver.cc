@@ -74,7 +74,7 @@ namespace magmpm
       parameters.set("problem: symmetric", true);
       parameters.set("number of equations", 1);
       parameters.set("max levels", 10);
-      parameters.set("coarse: max size", 1000);
+      parameters.set("coarse: max size", 100);
 
       // The power method starts at random and stays below the largest eigenvalue. With MueLu's own 10
       // steps it can stay so far below that the smoother diverges and CG breaks down.
@@ -86,6 +86,14 @@ namespace magmpm
       smoother.set("chebyshev: zero starting solution", true);
       smoother.set("chebyshev: eigenvalue max iterations", 40);
       smoother.set("chebyshev: boost factor", 1.2);
+
+      // On the few rows of the coarsest level Chebyshev is a solver. MueLu's direct one (KLU2 of
+      // Amesos2) is not symmetric on two ranks with Debian's Trilinos 13.2, and CG then stagnates.
+      parameters.set("coarse: type", "CHEBYSHEV");
+      Teuchos::ParameterList &coarse = parameters.sublist("coarse: params");
+      coarse.setParameters(smoother);
+      coarse.set("chebyshev: degree", 60);
+      coarse.set("chebyshev: ratio eigenvalue", 1000.);
       return parameters;
     }
   } // namespace
