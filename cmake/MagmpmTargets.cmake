@@ -103,6 +103,7 @@ else()
   set(core_scope INTERFACE)
 endif()
 target_link_libraries(magmpm_core ${core_scope} magmpm_options magmpm_kernels magmpm_deal_ii
+                                                ${MueLu_LIBRARIES} ${Belos_LIBRARIES}
                                                 MPI::MPI_CXX ${VTK_LIBRARIES})
 
 if(EXISTS ${PROJECT_SOURCE_DIR}/source/main.cc)

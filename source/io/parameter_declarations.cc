@@ -362,8 +362,11 @@ namespace magmpm
       declarations.add(
         "Preconditioner",
         magnetics.preconditioner,
-        {{"GMG", Preconditioner::gmg}, {"ML", Preconditioner::ml}},
-        "Of the linear solver: geometric multigrid without a matrix, or Trilinos ML.");
+        {{"GMG", Preconditioner::gmg},
+         {"ML", Preconditioner::ml},
+         {"MueLu", Preconditioner::muelu}},
+        "Of the linear solver: geometric multigrid without a matrix, or algebraic multigrid on the "
+        "assembled matrix, by Trilinos ML or MueLu (on the GPU, where Trilinos was built for it).");
       declarations.add("Newton tolerance",
                        magnetics.newton_tolerance,
                        "-",

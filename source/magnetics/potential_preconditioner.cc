@@ -1,19 +1,31 @@
-#include <magmpm/magnetics/ml_preconditioner.h>
-#include <magmpm/magnetics/multigrid_preconditioner.h>
+#include <deal.II/lac/solver_cg.h>
+
+#include <magmpm/magnetics/potential_preconditioner.h>
 
 namespace magmpm
 {
   template <int dim>
-  std::unique_ptr<PotentialPreconditioner<dim>>
-  make_preconditioner(const Preconditioner type, const PotentialSpace<dim> &space)
+  LinearSolveResult
+  PotentialPreconditioner<dim>::solve(const PotentialOperator<dim, double> &jacobian,
+                                      const PotentialVector &right_hand_side,
+                                      const double tolerance,
+                                      const int max_iterations,
+                                      PotentialVector &x)
   {
-    if (type == Preconditioner::ml)
-      return std::make_unique<MLPreconditioner<dim>>(space);
-    return std::make_unique<MultigridPreconditioner<dim>>(space);
+    dealii::SolverControl control(max_iterations, tolerance);
+    dealii::SolverCG<PotentialVector> cg(control);
+    x = 0.;
+    try
+      {
+        cg.solve(jacobian, x, right_hand_side, *this);
+      }
+    catch (const dealii::SolverControl::NoConvergence &)
+      {
+        return LinearSolveResult::unsolved_in(static_cast<int>(control.last_step()));
+      }
+    return {static_cast<int>(control.last_step()), ""};
   }
 
-  template std::unique_ptr<PotentialPreconditioner<2>>
-  make_preconditioner(const Preconditioner, const PotentialSpace<2> &);
-  template std::unique_ptr<PotentialPreconditioner<3>>
-  make_preconditioner(const Preconditioner, const PotentialSpace<3> &);
+  template class PotentialPreconditioner<2>;
+  template class PotentialPreconditioner<3>;
 } // namespace magmpm

@@ -1,15 +1,14 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/timer.h>
-#include <deal.II/lac/solver_cg.h>
 
 #include <magmpm/base/constants.h>
 #include <magmpm/magnetics/force_handover.h>
 #include <magmpm/magnetics/magnetic_force.h>
 #include <magmpm/magnetics/open_boundary.h>
 #include <magmpm/magnetics/potential_operator.h>
-#include <magmpm/magnetics/potential_preconditioner.h>
 #include <magmpm/magnetics/potential_problem.h>
 #include <magmpm/magnetics/potential_residual.h>
+#include <magmpm/magnetics/potential_solver.h>
 
 namespace magmpm
 {
@@ -81,9 +80,15 @@ namespace magmpm
                      const double relative_tolerance,
                      PotentialVector &step) override;
 
-    /** @return iterations, or -1 if they did not suffice. */
-    int
+    LinearSolveResult
     run_cg(const PotentialVector &right_hand_side, const double tolerance, PotentialVector &step);
+
+    JacobianData<dim>
+    jacobian_data() const;
+
+    /** Takes the tangents of the last evaluate(). */
+    void
+    update_jacobian();
 
     void
     rebuild_preconditioner();
@@ -99,7 +104,7 @@ namespace magmpm
     std::unique_ptr<OpenBoundary<dim>> boundary;
     PotentialResidual<dim> residual;
     PotentialOperator<dim, double> jacobian;
-    std::unique_ptr<PotentialPreconditioner<dim>> preconditioner;
+    std::unique_ptr<PotentialSolver<dim>> solver;
     RebuildRule rule;
     bool has_rebuilt = false; ///< in this solve
   };
@@ -109,7 +114,7 @@ namespace magmpm
   PotentialProblem<dim>::Implementation::set_up()
   {
     const dealii::TimerOutput::Scope section(timer, "Set up potential");
-    preconditioner.reset();
+    solver.reset();
     boundary.reset();
     jacobian.clear();
     solution.space = std::make_unique<const PotentialSpace<dim>>(
@@ -118,8 +123,8 @@ namespace magmpm
     revision           = mesh.revision();
 
     jacobian.initialize(solution.space->matrix_free);
-    preconditioner = make_preconditioner<dim>(parameters.preconditioner, *solution.space);
-    rule           = RebuildRule();
+    solver = make_potential_solver<dim>(parameters.preconditioner, *solution.space);
+    rule   = RebuildRule();
   }
 
   template <int dim>
@@ -162,36 +167,43 @@ namespace magmpm
   }
 
   template <int dim>
+  JacobianData<dim>
+  PotentialProblem<dim>::Implementation::jacobian_data() const
+  {
+    return {[this](const unsigned int cell) { return residual.permeability(material, cell); },
+            *boundary};
+  }
+
+  template <int dim>
   void
   PotentialProblem<dim>::Implementation::rebuild_preconditioner()
   {
     const dealii::TimerOutput::Scope section(timer, "Solve potential: preconditioner");
-    preconditioner->rebuild(
-      {[this](const unsigned int cell) { return residual.permeability(material, cell); },
-       *boundary});
+    solver->rebuild(jacobian_data());
     rule.rebuilt();
     has_rebuilt = true;
   }
 
   template <int dim>
-  int
+  LinearSolveResult
   PotentialProblem<dim>::Implementation::run_cg(const PotentialVector &right_hand_side,
                                                 const double tolerance,
                                                 PotentialVector &step)
   {
     const dealii::TimerOutput::Scope section(timer, "Solve potential: CG");
-    dealii::SolverControl control(parameters.max_cg_iterations, tolerance);
-    dealii::SolverCG<PotentialVector> cg(control);
-    step = 0.;
-    try
-      {
-        cg.solve(jacobian, step, right_hand_side, *preconditioner);
-      }
-    catch (const dealii::SolverControl::NoConvergence &)
-      {
-        return -1;
-      }
-    return static_cast<int>(control.last_step());
+    return solver->solve(jacobian, right_hand_side, tolerance, parameters.max_cg_iterations, step);
+  }
+
+  template <int dim>
+  void
+  PotentialProblem<dim>::Implementation::update_jacobian()
+  {
+    const dealii::TimerOutput::Scope section(timer, "Solve potential: Jacobian");
+    const PotentialSpace<dim> &space = *solution.space;
+    jacobian.set_permeability([&](const unsigned int batch, const unsigned int lane) {
+      return residual.permeability(material, space.lattice_cell(batch, lane));
+    });
+    solver->update(jacobian_data());
   }
 
   template <int dim>
@@ -200,30 +212,25 @@ namespace magmpm
                                                           const double relative_tolerance,
                                                           PotentialVector &step)
   {
-    const PotentialSpace<dim> &space = *solution.space;
-    jacobian.set_permeability([&](const unsigned int batch, const unsigned int lane) {
-      return residual.permeability(material, space.lattice_cell(batch, lane));
-    });
-
+    update_jacobian();
     const bool is_fresh = rule.is_due();
     if (is_fresh)
       rebuild_preconditioner();
 
     PotentialVector right_hand_side(residual_vector);
     right_hand_side *= -1.;
-    const double tolerance = relative_tolerance * right_hand_side.l2_norm();
-    int iterations         = run_cg(right_hand_side, tolerance, step);
-    if (iterations < 0 && !is_fresh)
+    const double tolerance   = relative_tolerance * right_hand_side.l2_norm();
+    LinearSolveResult result = run_cg(right_hand_side, tolerance, step);
+    if (!result.is_solved() && !is_fresh)
       {
         rebuild_preconditioner();
-        iterations = run_cg(right_hand_side, tolerance, step);
+        result = run_cg(right_hand_side, tolerance, step);
       }
-    if (iterations < 0)
-      throw RunError("The linear system of the magnetic potential was not solved in " +
-                     std::to_string(parameters.max_cg_iterations) +
-                     " iterations of CG. Allow more, or choose the other preconditioner.");
-    rule.count(iterations, relative_tolerance);
-    return iterations;
+    if (!result.is_solved())
+      throw RunError("The linear system of the magnetic potential was not solved " +
+                     result.failure + ". Allow more iterations, or choose another preconditioner.");
+    rule.count(result.iterations, relative_tolerance);
+    return result.iterations;
   }
 
   template <int dim>

@@ -206,7 +206,8 @@ TEMPLATE_TEST_CASE_SIG("Open faces are far away", "[magnetics][mpi]", ((int dim)
 // problem is solvable all the same, as the poles of a body sum to zero.
 TEMPLATE_TEST_CASE_SIG("All faces can be shielded", "[magnetics][mpi]", ((int dim), dim), 2, 3)
 {
-  for (const Preconditioner preconditioner : {Preconditioner::gmg, Preconditioner::ml})
+  for (const Preconditioner preconditioner :
+       {Preconditioner::gmg, Preconditioner::ml, Preconditioner::muelu})
     {
       std::array<bool, 2 * dim> shielded;
       shielded.fill(true);

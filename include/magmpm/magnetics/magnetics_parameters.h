@@ -8,8 +8,9 @@ namespace magmpm
 {
   enum class Preconditioner
   {
-    gmg, ///< geometric multigrid on deal.II's MatrixFree
-    ml   ///< algebraic multigrid of Trilinos on the assembled matrix
+    gmg,  ///< geometric multigrid on deal.II's MatrixFree
+    ml,   ///< algebraic multigrid on the assembled matrix: Trilinos ML, on Epetra
+    muelu ///< the same: Trilinos MueLu, with matrix and CG on Tpetra
   };
 
   /** What counts as material at a point. */

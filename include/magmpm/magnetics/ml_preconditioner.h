@@ -3,6 +3,7 @@
 #include <deal.II/lac/trilinos_precondition.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 
+#include <magmpm/magnetics/jacobian_assembler.h>
 #include <magmpm/magnetics/potential_preconditioner.h>
 
 namespace magmpm
@@ -31,11 +32,8 @@ namespace magmpm
     }
 
   private:
-    const PotentialSpace<dim> &space;
+    const JacobianAssembler<dim> assembler;
     dealii::TrilinosWrappers::SparseMatrix system_matrix;
     dealii::TrilinosWrappers::PreconditionAMG amg;
-
-    void
-    assemble(const JacobianData<dim> &jacobian);
   };
 } // namespace magmpm

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <magmpm/magnetics/jacobian_assembler.h>
+#include <magmpm/magnetics/potential_solver.h>
+#include <magmpm/magnetics/tpetra_solver.h>
+
+#include <memory>
+
+namespace magmpm
+{
+  /**
+   * The Jacobian assembled into Tpetra in every step of Newton's method, Belos' CG preconditioned by
+   * MueLu. This is the solver that runs on a GPU, see TpetraSolver.
+   */
+  template <int dim>
+  class MueLuSolver : public PotentialSolver<dim>
+  {
+  public:
+    explicit MueLuSolver(const PotentialSpace<dim> &space);
+
+    void
+    update(const JacobianData<dim> &jacobian) override;
+
+    void
+    rebuild(const JacobianData<dim> &jacobian) override;
+
+    LinearSolveResult
+    solve(const PotentialOperator<dim, double> &jacobian,
+          const PotentialVector &right_hand_side,
+          const double tolerance,
+          const int max_iterations,
+          PotentialVector &x) override;
+
+  private:
+    const JacobianAssembler<dim> assembler;
+    std::unique_ptr<TpetraSolver> solver;
+  };
+} // namespace magmpm
