@@ -59,9 +59,8 @@ namespace magmpm::paper_scheme
   std::vector<Particle<dim>>
   BallExperiment<dim>::particles() const
   {
-    constexpr int per_edge = 2;
-    const double distance  = spacing() / per_edge;
-    const int reach        = cells_per_radius * per_edge + 2;
+    const double distance = spacing() / particles_per_edge;
+    const int reach       = cells_per_radius * particles_per_edge + 2;
     std::mt19937 random(seed + 1000);
     std::uniform_real_distribution<double> jitter(-0.5, 0.5);
 

@@ -8,7 +8,7 @@ namespace magmpm::paper_scheme
    * A magnetizable ball (2D: a cylinder across its axis) in the middle of a cubic box, in a uniform
    * field or near a dipole: what the scheme is measured with, as both have exact solutions.
    *
-   * The ball is made of 2^dim jittered particles per cell, of equal volume and the ball's in sum; its
+   * The ball is made of jittered particles, of equal volume and the ball's in sum; its
    * centre lies at a random place within the cell in the middle of the box.
    */
   template <int dim>
@@ -19,6 +19,7 @@ namespace magmpm::paper_scheme
     double radius           = 0.05; ///< R [m]
     MagnetizationLaw law    = MagnetizationLaw::linear;
     MagneticContent content = {82e3, 0.91};
+    int particles_per_edge  = dim == 2 ? 3 : 2; ///< of a cell
     unsigned int seed       = 0;
 
     /** Deviations from the exact solution, relative to it. */

@@ -45,14 +45,21 @@ namespace magmpm::paper_scheme
       return vacuum_value;
     }
 
-    /** Sum of the w at a node's neighbours: the diagonal of the matrix. */
-    double
-    diagonal(const std::ptrdiff_t line, const int x) const
+    /** The diagonal of the matrix on a line: at each node the sum of the w of its neighbours. */
+    void
+    diagonal(const std::ptrdiff_t line, double *values) const
     {
-      double sum = row(0, line)[x - 1] + row(0, line)[x + 1];
+      const int n             = grid.n_nodes(0);
+      const double *const row = this->row(0, line);
+      for (int x = 0; x < n; ++x)
+        values[x] = row[x - 1] + row[x + 1];
       for (int a = 1; a < dim; ++a)
-        sum += row(a, line - line_stride(a))[x] + row(a, line + line_stride(a))[x];
-      return sum;
+        {
+          const double *const below = this->row(a, line - line_stride(a));
+          const double *const above = this->row(a, line + line_stride(a));
+          for (int x = 0; x < n; ++x)
+            values[x] += below[x] + above[x];
+        }
     }
 
     /** Distance of the numbers of two lines that are neighbours along @p axis > 0. */

@@ -4,7 +4,6 @@
 
 #include <paper_scheme/potential_stencil.h>
 
-#include <cmath>
 #include <string>
 
 namespace magmpm::paper_scheme
@@ -12,39 +11,16 @@ namespace magmpm::paper_scheme
   namespace internal
   {
     /** r -= alpha q. @return |r| */
-    inline double
-    update_residual(const double alpha, const NodeVector &q_vector, NodeVector &r_vector)
-    {
-      const double *const q = q_vector.data();
-      double *const r       = r_vector.data();
-      double sum            = 0.;
-#pragma omp simd reduction(+ : sum)
-      for (std::ptrdiff_t i = 0; i < r_vector.size(); ++i)
-        {
-          r[i] -= alpha * q[i];
-          sum += r[i] * r[i];
-        }
-      return std::sqrt(sum);
-    }
+    double
+    update_residual(const double alpha, const NodeVector &q, NodeVector &r);
 
     /** x += alpha p, then p = z + beta p, in one pass over the memory. */
-    inline void
+    void
     update_solution_and_direction(const double alpha,
                                   const double beta,
-                                  const NodeVector &z_vector,
-                                  NodeVector &x_vector,
-                                  NodeVector &p_vector)
-    {
-      const double *const z = z_vector.data();
-      double *const x       = x_vector.data();
-      double *const p       = p_vector.data();
-#pragma omp simd
-      for (std::ptrdiff_t i = 0; i < p_vector.size(); ++i)
-        {
-          x[i] += alpha * p[i];
-          p[i] = z[i] + beta * p[i];
-        }
-    }
+                                  const NodeVector &z,
+                                  NodeVector &x,
+                                  NodeVector &p);
   } // namespace internal
 
   /** The vectors that CG works on, kept between solves. */

@@ -1,7 +1,32 @@
 #include <paper_scheme/incomplete_cholesky.h>
 
+#include <algorithm>
+
 namespace magmpm::paper_scheme
 {
+  namespace
+  {
+    /**
+     * z_i += c_i z_(i-2) for i = 2 .. n-1, counted along @p direction: two chains, one of each
+     * parity, which the processor follows at the same time.
+     */
+    inline void
+    follow_chain(const int n, const double *c, double *z, const int direction)
+    {
+      double even = z[0], odd = z[direction];
+      for (int i = 2; i + 1 < n; i += 2)
+        {
+          const int j = direction * i, k = j + direction;
+          even = z[j] + c[j] * even;
+          odd  = z[k] + c[k] * odd;
+          z[j] = even;
+          z[k] = odd;
+        }
+      if (n % 2 == 1)
+        z[direction * (n - 1)] += c[direction * (n - 1)] * even;
+    }
+  } // namespace
+
   template <int dim>
   IncompleteCholesky<dim>::IncompleteCholesky(const NodeGrid<dim> &grid)
     : grid(grid)
@@ -19,42 +44,58 @@ namespace magmpm::paper_scheme
     diagonal.reinit(inverse);
     jacobian.compute_diagonal(diagonal);
 
-    const int n = grid.n_nodes(0);
     for (int line = 0; line < grid.n_lines(); ++line)
-      for (int i = 0; i < n; ++i)
-        {
-          const std::ptrdiff_t node = std::ptrdiff_t(line) * n + i;
-          inverse[node]             = 1. / pivot(line, i, diagonal[node], modification);
-        }
+      factorize_line(line, modification, diagonal);
   }
 
   template <int dim>
-  double
-  IncompleteCholesky<dim>::pivot(const std::ptrdiff_t line,
-                                 const int x,
-                                 const double diagonal,
-                                 const double modification) const
+  void
+  IncompleteCholesky<dim>::factorize_line(const std::ptrdiff_t line,
+                                          const double modification,
+                                          const NodeVector &diagonal_vector)
   {
-    constexpr double smallest = 0.25;
-    const std::ptrdiff_t node = line * grid.n_nodes(0) + x;
-    double result             = diagonal;
-    for (int a = 0; a < dim; ++a)
+    constexpr double smallest    = 0.25;
+    const int n                  = grid.n_nodes(0);
+    const Index<dim> node        = grid.node(line * n);
+    const double *const diagonal = diagonal_vector.data() + line * n;
+    double *const d              = inverse.data() + line * n;
+    double *const pivot          = chain.data();
+
+    // The neighbour 2 dx below along an axis; its entries above, along the other axes, are the fill.
+    std::copy(diagonal, diagonal + n, pivot);
+    for (int a = 1; a < dim; ++a)
       {
-        // The neighbour 2 dx below along a; its entries above, along the other axes, are the fill.
-        const std::ptrdiff_t step = (a == 0 ? 0 : rows->line_stride(a));
-        const double w            = rows->row(a, line - step)[x - (a == 0)];
-        if (w == 0.)
+        if (node[a] < 2)
           continue;
-        const int below_x               = x - (a == 0 ? 2 : 0);
-        const std::ptrdiff_t below_line = line - 2 * step;
-        double fill                     = 0.;
-        for (int b = 0; b < dim; ++b)
-          if (b != a)
-            fill += b == 0 ? rows->row(0, below_line)[below_x + 1]
-                           : rows->row(b, below_line + rows->line_stride(b))[below_x];
-        result -= w * (w + modification * fill) * inverse[node - 2 * grid.stride(a)];
+        const std::ptrdiff_t below     = line - 2 * rows->line_stride(a);
+        const std::ptrdiff_t step      = 2 * grid.stride(a);
+        const double *const w          = rows->row(a, line - rows->line_stride(a));
+        const double *const fill_x     = rows->row(0, below);
+        const int other                = dim == 2 ? 0 : 3 - a;
+        const double *const fill_other = dim == 2
+                                           ? nullptr
+                                           : rows->row(other, below + rows->line_stride(other));
+#pragma omp simd
+        for (int i = 0; i < n; ++i)
+          {
+            double fill = fill_x[i + 1];
+            if constexpr (dim == 3)
+              fill += fill_other[i];
+            pivot[i] -= w[i] * (w[i] + modification * fill) * d[i - step];
+          }
       }
-    return result < smallest * diagonal ? diagonal : result;
+
+    const double *const w = rows->row(0, line);
+    for (int i = 0; i < n; ++i)
+      {
+        double fill = 0.;
+        if (i > 1)
+          for (int a = 1; a < dim; ++a)
+            fill += rows->row(a, line + rows->line_stride(a))[i - 2];
+        if (i > 1)
+          pivot[i] -= w[i - 1] * (w[i - 1] + modification * fill) * d[i - 2];
+        d[i] = 1. / (pivot[i] < smallest * diagonal[i] ? diagonal[i] : pivot[i]);
+      }
   }
 
   template <int dim>
@@ -78,7 +119,8 @@ namespace magmpm::paper_scheme
             below[a] = rows->row(a, line - rows->line_stride(a));
             step[a]  = 2 * grid.stride(a);
           }
-        // Everything but the recurrence along the line first: that part is vectorized.
+          // Everything but the recurrence along the line first: that part is vectorized.
+#pragma omp simd
         for (int i = 0; i < n; ++i)
           {
             double sum = r[i];
@@ -87,8 +129,7 @@ namespace magmpm::paper_scheme
             z[i] = d[i] * sum;
             c[i] = d[i] * row[i - 1];
           }
-        for (int i = 2; i < n; ++i)
-          z[i] += c[i] * z[i - 2];
+        follow_chain(n, c, z, 1);
       }
   }
 
@@ -114,6 +155,7 @@ namespace magmpm::paper_scheme
             above[a] = rows->row(a, line + rows->line_stride(a));
             step[a]  = 2 * grid.stride(a);
           }
+#pragma omp simd
         for (int i = 0; i < n; ++i)
           {
             double sum = 0.;
@@ -122,8 +164,7 @@ namespace magmpm::paper_scheme
             z[i] += d[i] * sum;
             c[i] = d[i] * row[i + 1];
           }
-        for (int i = n - 3; i >= 0; --i)
-          z[i] += c[i] * z[i + 2];
+        follow_chain(n, c + n - 1, z + n - 1, -1);
         double sum = 0.;
 #pragma omp simd reduction(+ : sum)
         for (int i = 0; i < n; ++i)

@@ -33,11 +33,10 @@ namespace magmpm::paper_scheme
     NodeVector inverse; ///< of D
     mutable std::vector<double> chain;
 
-    double
-    pivot(const std::ptrdiff_t line,
-          const int x,
-          const double diagonal,
-          const double modification) const;
+    void
+    factorize_line(const std::ptrdiff_t line,
+                   const double modification,
+                   const NodeVector &diagonal);
 
     void
     substitute_forward(const NodeVector &r, NodeVector &z) const;

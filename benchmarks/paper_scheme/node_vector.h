@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -60,24 +59,10 @@ namespace magmpm::paper_scheme
     }
 
     void
-    add(const double factor, const NodeVector &other)
-    {
-      double *const x       = data();
-      const double *const y = other.data();
-      for (std::ptrdiff_t i = 0; i < n_nodes; ++i)
-        x[i] += factor * y[i];
-    }
+    add(const double factor, const NodeVector &other);
 
     double
-    l2_norm() const
-    {
-      const double *const x = data();
-      double sum            = 0.;
-#pragma omp simd reduction(+ : sum)
-      for (std::ptrdiff_t i = 0; i < n_nodes; ++i)
-        sum += x[i] * x[i];
-      return std::sqrt(sum);
-    }
+    l2_norm() const;
 
   private:
     std::ptrdiff_t n_nodes   = 0;

@@ -113,6 +113,12 @@ namespace magmpm::paper_scheme
     forces(const ExternalField<dim> &sources,
            const ForceRegion region = ForceRegion::reached_nodes) const;
 
+    const NodeGrid<dim> &
+    node_grid() const
+    {
+      return grid;
+    }
+
     /** On the nodes of the whole box [A]. */
     const NodeVector &
     potential() const

@@ -87,6 +87,7 @@ namespace magmpm::paper_scheme
   {
     const int n       = grid.n_nodes(0);
     const double *row = rows.row(0, line);
+#pragma omp simd
     for (int i = 0; i < n; ++i)
       y[i] = row[i - 1] * (x[i] - x[i - 2]) + row[i + 1] * (x[i] - x[i + 2]);
     for (int a = 1; a < dim; ++a)
@@ -94,6 +95,7 @@ namespace magmpm::paper_scheme
         const double *below    = rows.row(a, line - rows.line_stride(a));
         const double *above    = rows.row(a, line + rows.line_stride(a));
         const std::ptrdiff_t s = 2 * grid.stride(a);
+#pragma omp simd
         for (int i = 0; i < n; ++i)
           y[i] += below[i] * (x[i] - x[i - s]) + above[i] * (x[i] - x[i + s]);
       }
@@ -146,8 +148,7 @@ namespace magmpm::paper_scheme
   {
     const int n = grid.n_nodes(0);
     for (int line = 0; line < grid.n_lines(); ++line)
-      for (int i = 0; i < n; ++i)
-        diagonal[std::ptrdiff_t(line) * n + i] = rows.diagonal(line, i);
+      rows.diagonal(line, diagonal.data() + std::ptrdiff_t(line) * n);
     for (const Robin &term : robin)
       diagonal[term.node] += term.coefficient;
   }
