@@ -1,10 +1,11 @@
 // Fig. 12 of the paper: how the residual falls in Newton's method, for the paper's scheme and for
-// magmpm's own PotentialProblem. A sphere of R = 8 dx near a dipole, 2.2 R from its centre, whose field
-// there is that of the Langevin argument a; from zero potential, open faces 4 R away.
+// magmpm's own PotentialProblem. A sphere of R = 8 dx near a dipole, 2.2 R from its centre, whose
+// field there is that of the Langevin argument a; from zero potential, open faces 4 R away. Both
+// solve the linear systems only as exactly as each step needs (forcing_term()).
 //
 //   newton_convergence > newton_convergence.csv && benchmarks/plot_newton_convergence.py
 //
-// Writes comma-separated values: scheme, chi_0, a, step, residual relative to that of zero potential.
+// Writes comma-separated values: scheme, chi_0, a, step, residual over that of zero potential.
 
 #include <deal.II/base/mpi.h>
 
@@ -12,7 +13,6 @@
 #include <paper_scheme/ball_experiment.h>
 
 #include <cstdio>
-#include <iostream>
 
 using namespace magmpm;
 using paper_scheme::BallExperiment;

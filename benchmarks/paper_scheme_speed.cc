@@ -49,6 +49,7 @@ namespace
                                       {"Jacobi", Preconditioner::jacobi, 0.},
                                       {"IC(0)", Preconditioner::incomplete_cholesky, 0.},
                                       {"MIC(0) .97", Preconditioner::incomplete_cholesky, 0.97},
+                                      {"MIC(0) .98", Preconditioner::incomplete_cholesky, 0.98},
                                       {"MIC(0) .99", Preconditioner::incomplete_cholesky, 0.99}};
     ball.law                       = MagnetizationLaw::langevin;
     const ExternalField<3> uniform = ball.uniform_field(ball.outer_field(inner_field));

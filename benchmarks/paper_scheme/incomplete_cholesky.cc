@@ -61,7 +61,7 @@ namespace magmpm::paper_scheme
     double *const d              = inverse.data() + line * n;
     double *const pivot          = chain.data();
 
-    // The neighbour 2 dx below along an axis; its entries above, along the other axes, are the fill.
+    // Of the neighbour 2 dx below along an axis, the entries above along the others are the fill.
     std::copy(diagonal, diagonal + n, pivot);
     for (int a = 1; a < dim; ++a)
       {

@@ -5,14 +5,14 @@
 namespace magmpm::paper_scheme
 {
   /**
-   * Incomplete Cholesky factors without fill, (D + L) D^-1 (D + L^T), of the seven-point part of the
-   * Jacobian (all of it for isotropic dM/dH; the products of two axes that anisotropy adds are left
-   * to CG). L is that of the matrix itself, so only D is stored.
+   * Incomplete Cholesky factors without fill, (D + L) D^-1 (D + L^T), of the seven-point part of
+   * the Jacobian (all of it for isotropic dM/dH; the products of two axes that anisotropy adds are
+   * left to CG). L is that of the matrix itself, so only D is stored.
    *
-   * Modified: the fraction @p modification of the fill that is left away goes to the diagonal, which
-   * turns the O(n) iterations of the plain factors (n nodes along an edge) into O(sqrt(n)). A pivot
-   * below a quarter of the diagonal is replaced by the diagonal (Bridson 2015), as happens to the
-   * last pivot of each sublattice of a singular matrix.
+   * Modified: the fraction @p modification of the fill that is left away goes to the diagonal,
+   * which turns the O(n) iterations of the plain factors (n nodes along an edge) into O(sqrt(n)). A
+   * pivot below a quarter of the diagonal is replaced by the diagonal (Bridson 2015), as happens to
+   * the last pivots of each sublattice of a singular matrix.
    */
   template <int dim>
   class IncompleteCholesky

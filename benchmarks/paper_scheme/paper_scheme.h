@@ -26,7 +26,7 @@ namespace magmpm::paper_scheme
     MagnetizationLaw law          = MagnetizationLaw::langevin;
     BoxFaces faces                = BoxFaces::shielded;
     Preconditioner preconditioner = Preconditioner::incomplete_cholesky;
-    double modification           = 0.97;  ///< of the incomplete Cholesky factors [-]
+    double modification           = 0.98;  ///< of the incomplete Cholesky factors [-]
     double newton_tolerance       = 1e-10; ///< of the residual, relative to that of zero potential
     int max_newton_steps          = 25;
     int max_cg_iterations         = 5000;
@@ -51,10 +51,10 @@ namespace magmpm::paper_scheme
   /**
    * The magnetic scheme of Sun et al. 2021, as a baseline: div_h(h + M(H_ext + h)) = 0 with
    * h = -G phi, everything on the nodes of one uniform grid over the whole potential box, G the
-   * central differences, grain density smeared by P2G, Neumann faces, Newton's method with halving of
-   * the residual, force as divergence of the Maxwell stress.
+   * central differences, grain density smeared by P2G, Neumann faces, Newton's method with halving
+   * of the step until the residual falls, force as divergence of the Maxwell stress.
    *
-   * Made as good as it gets without changing the discretization: the stencil is free of a matrix,
+   * Made as fast as it gets without changing the discretization: the stencil is free of a matrix,
    * Newton's linear systems are solved no more exactly than needed, and the 2^dim constants of the
    * null space that central differences have are kept out of the right-hand side and the solution.
    * One thread. In 2D everything is per metre of depth.
@@ -104,7 +104,10 @@ namespace magmpm::paper_scheme
     Vector<dim>
     moment() const;
 
-    /** H at any point at least 1.5 dx within the box [A/m]: sources exact, h by B-splines from nodes. */
+    /**
+     * H at a point at least 1.5 dx within the box [A/m]: that of the sources is exact, h comes from
+     * the nodes by quadratic B-splines.
+     */
     Vector<dim>
     field(const Vector<dim> &position, const ExternalField<dim> &sources) const;
 

@@ -33,9 +33,9 @@ namespace magmpm::paper_scheme
     /**
      * Open space, d(phi)/dn + (dim-1) (n.r)/r^2 phi = 0 on all faces, r from @p centre [m].
      *
-     * Central differences split the nodes into 2^dim lattices of spacing 2 dx, each of which carries
-     * 1/2^dim of the energy; each gets the condition on its own outermost nodes, half a cell (dx)
-     * within its faces: on the two outermost layers of nodes, at half the area.
+     * Central differences split the nodes into 2^dim lattices of spacing 2 dx, each of which
+     * carries 1/2^dim of the energy; each gets the condition on its own outermost nodes, half a
+     * cell (dx) within its faces: on the two outermost layers of nodes, at half the area.
      *
      * @throw InputError if @p centre is not within the box.
      */
