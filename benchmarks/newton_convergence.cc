@@ -1,0 +1,110 @@
+// Fig. 12 of the paper: how the residual falls in Newton's method, for the paper's scheme and for
+// magmpm's own PotentialProblem. A sphere of R = 8 dx near a dipole, 2.2 R from its centre, whose
+// field there is that of the Langevin argument a; from zero potential, open faces 4 R away. Both
+// solve the linear systems only as exactly as each step needs (forcing_term()).
+//
+//   newton_convergence > newton_convergence.csv && benchmarks/plot_newton_convergence.py
+//
+// Writes comma-separated values: scheme, chi_0, a, step, residual over that of zero potential.
+
+#include <deal.II/base/mpi.h>
+
+#include <magnetics/scene.h>
+#include <paper_scheme/ball_experiment.h>
+
+#include <cstdio>
+
+using namespace magmpm;
+using paper_scheme::BallExperiment;
+
+namespace
+{
+  constexpr int cells_per_radius = 8;
+  constexpr double k2            = 3.31e-5; ///< mu_0 m/(k_B T) of the paper's grains [m/A]
+  constexpr double tolerance     = 1e-12;
+
+  BallExperiment<3>
+  ball_in_box(const double half_width, const double susceptibility)
+  {
+    BallExperiment<3> ball;
+    ball.cells_per_radius = cells_per_radius;
+    ball.half_width       = half_width;
+    ball.law              = MagnetizationLaw::langevin;
+    ball.content          = {3. * susceptibility / k2, susceptibility};
+    return ball;
+  }
+
+  /** The magnet, of radius R/2, that makes the field a/k2 at the centre of the ball. */
+  ExternalField<3>
+  magnet(const BallExperiment<3> &ball, const double a)
+  {
+    constexpr double radius = 0.5, distance = 2.2;
+    const double strength = 1.5 * a / k2 * std::pow(distance / radius, 3);
+    return ExternalField<3>(
+      {test::sphere_source<3>(ball.centre() + (distance * ball.radius) * ball.direction(),
+                              radius * ball.radius,
+                              strength * ball.direction())});
+  }
+
+  void
+  print(const char *scheme,
+        const double susceptibility,
+        const double a,
+        const NewtonReport &newton,
+        const double zero_residual)
+  {
+    for (std::size_t step = 0; step < newton.residuals.size(); ++step)
+      std::printf("%s,%g,%g,%zu,%.3e\n",
+                  scheme,
+                  susceptibility,
+                  a,
+                  step,
+                  newton.residuals[step] / zero_residual);
+    std::fprintf(stderr,
+                 "%-8s chi_0 = %-4g a = %-3g %d steps, %d halvings, %d CG iterations\n",
+                 scheme,
+                 susceptibility,
+                 a,
+                 newton.steps,
+                 newton.line_search_steps,
+                 newton.linear_iterations);
+  }
+
+  void
+  run_paper_scheme(const double susceptibility, const double a)
+  {
+    const BallExperiment<3> ball = ball_in_box(4., susceptibility);
+    paper_scheme::Parameters parameters;
+    parameters.faces            = paper_scheme::BoxFaces::open;
+    parameters.newton_tolerance = tolerance;
+    auto scheme                 = ball.scheme(parameters);
+    const auto report           = scheme.solve(ball.particles(), magnet(ball, a));
+    print("paper", susceptibility, a, report.newton, report.zero_residual);
+  }
+
+  void
+  run_magmpm(const double susceptibility, const double a)
+  {
+    const BallExperiment<3> ball = ball_in_box(2., susceptibility);
+    MagneticsParameters<3> parameters;
+    parameters.newton_tolerance = tolerance;
+    // The box of the mechanics, half as wide as that of the potential.
+    test::Scene<3> scene(4 * cells_per_radius, ball.spacing(), 2., parameters);
+    scene.set_bodies({test::sphere<3>(ball.centre(), ball.radius, ball.content)});
+    const SolveReport report = scene.problem.solve(scene.content, magnet(ball, a));
+    print("magmpm", susceptibility, a, report.newton, report.zero_residual);
+  }
+} // namespace
+
+int
+main(int argc, char **argv)
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  std::printf("scheme,susceptibility,argument,step,relative_residual\n");
+  for (const double susceptibility : {0.91, 10.})
+    for (const double a : {1., 3., 30.})
+      {
+        run_paper_scheme(susceptibility, a);
+        run_magmpm(susceptibility, a);
+      }
+}
