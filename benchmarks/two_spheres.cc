@@ -156,7 +156,9 @@ namespace magmpm::benchmarks
   TwoSpheresSolution<dim>
   two_spheres_in_uniform_field(const TwoSpheres<dim> &spheres, const Vector<dim> &outer_field)
   {
-    const double distance          = norm(spheres.separation);
+    const double distance = norm(spheres.separation);
+    if (distance <= spheres.radius[0] + spheres.radius[1])
+      throw RunError("two spheres overlap; there is no exact solution for these.");
     const Vector<dim> e            = (1. / distance) * spheres.separation;
     const double field_along       = dot(outer_field, e);
     const Vector<dim> field_across = outer_field - field_along * e;

@@ -30,7 +30,7 @@ namespace magmpm::benchmarks
    * distance of the centres.
    *
    * @param outer_field  H_0 [A/m].
-   * @throw RunError     if the reflections do not converge: the spheres are too close.
+   * @throw RunError     if the spheres overlap, or are so close that the reflections do not converge.
    */
   template <int dim>
   TwoSpheresSolution<dim>
