@@ -415,10 +415,9 @@ namespace magmpm
         // The mesh may have changed since the last solve: then the potential is found anew. The
         // force that particles carry stays: output changes a run by no more than where the next
         // Newton iteration starts, within its tolerance.
-        const NodeField<dim> content = magnetic_content();
         if (mesh_of_last_solve != mesh.revision())
-          solve_potential(content);
-        results.write_fields(state, *magnetics, partition, content, external_field);
+          solve_potential(magnetic_content());
+        results.write_fields(state, *magnetics, external_field);
       }
     results.flush();
   }

@@ -2,9 +2,8 @@
 #include <magmpm/base/exceptions.h>
 #include <magmpm/io/field_output.h>
 #include <magmpm/io/output_patches.h>
-#include <magmpm/magnetics/cell_stencil.h>
+#include <magmpm/magnetics/material_points.h>
 #include <magmpm/magnetics/potential_space.h>
-#include <magmpm/materials/magnetization.h>
 
 #include <deal.II/base/data_out_base.h>
 #include <deal.II/base/mpi.h>
@@ -74,9 +73,6 @@ namespace magmpm
     /** Derivatives of the shape functions of FE_Q(2) at its nodes on [0, 1]: (node, function). */
     constexpr double derivative_1d[3][3] = {{-3., 4., -1.}, {-1., 0., 1.}, {1., -4., 3.}};
 
-    /** Quadratic B-splines of spacing dx at a node: of the node before it, its own, the next. */
-    constexpr double bspline_at_node[3] = {0.125, 0.75, 0.125};
-
     int
     place(const int node, const int axis)
     {
@@ -138,38 +134,31 @@ namespace magmpm
       PotentialVector count;
     };
 
-    /** What is known at the nodes of the mesh: potential, its mean gradient, and the content. */
+    /** What is known at the nodes of the mesh: potential, its mean gradient, and the medium. */
     template <int dim>
     class NodalFields
     {
     public:
-      NodalFields(const PotentialSolution<dim> &solution,
-                  const BlockSet<dim> &blocks,
-                  const NodeField<dim> &content,
-                  const ExternalField<dim> &sources,
-                  const MagnetizationLaw law)
-        : space(*solution.space)
-        , blocks(blocks)
-        , content(content)
+      NodalFields(const PotentialProblem<dim> &problem, const ExternalField<dim> &sources)
+        : space(*problem.solution().space)
+        , material(problem.material())
+        , samples(problem.material_samples())
         , sources(sources)
-        , law(law)
         , lexicographic(
             dealii::FETools::lexicographic_to_hierarchic_numbering<dim>(potential_degree))
-        , potential(space.with_ghosts(solution.potential))
+        , potential(space.with_ghosts(problem.solution().potential))
         , self_field(space)
-        , magnetic_content(space)
+        , medium(space)
       {
         for (const auto &cell : space.dof_handler.active_cell_iterators())
           if (cell->is_locally_owned())
             {
               add_self_field(dofs_of(cell), cell->extent_in_direction(0));
-              const unsigned int lattice_cell =
-                space.lattice_cell_of_active_cell[cell->active_cell_index()];
-              if (lattice_cell != invalid_entry)
-                add_content(dofs_of(cell), space.lattice_cells[lattice_cell]);
+              add_medium(dofs_of(cell),
+                         space.lattice_cell_of_active_cell[cell->active_cell_index()]);
             }
         self_field.finish();
-        magnetic_content.finish();
+        medium.finish();
       }
 
       using Dofs = std::array<dealii::types::global_dof_index, n_cell_nodes<dim>>;
@@ -195,26 +184,22 @@ namespace magmpm
         std::copy_n(self_field(dof).data(), dim, values.self_field.values);
         values.field = values.self_field + sources.field(position);
 
-        const std::array<double, 3> lanes = magnetic_content(dof);
-        MagneticContent material;
-        material.saturation_magnetization = lanes[0];
-        material.initial_susceptibility   = lanes[1];
-        values.number_density             = lanes[2];
-        values.magnetization              = magnetization<dim>(law, material, values.field);
+        const auto of_medium = medium(dof);
+        std::copy_n(of_medium.data(), dim, values.magnetization.values);
+        values.number_density = of_medium[dim];
         return values;
       }
 
     private:
       const PotentialSpace<dim> &space;
-      const BlockSet<dim> &blocks;
-      const NodeField<dim> &content;
+      const MaterialPoints<dim> &material;
+      const std::vector<MaterialSample<dim>> samples;
       const ExternalField<dim> &sources;
-      const MagnetizationLaw law;
       const std::vector<unsigned int> lexicographic;
 
       PotentialVector potential;
       NodalMean<dim, dim> self_field;
-      NodalMean<dim, 3> magnetic_content; ///< densities of M_s, chi_0 and grains
+      NodalMean<dim, dim + 1> medium; ///< M and the density of grains
 
       void
       add_self_field(const Dofs &dofs, const double edge)
@@ -234,35 +219,27 @@ namespace magmpm
           }
       }
 
+      /**
+       * Each node of a cell takes the quadrature point next to it: those of all cells around lie
+       * symmetrically about it.
+       */
       void
-      add_content(const Dofs &dofs, const Index<dim> &lower_node)
+      add_medium(const Dofs &dofs, const unsigned int lattice_cell)
       {
-        const Index<dim> block = block_of<dim>(lower_node);
-        const int slot         = blocks.slot(block);
-        if (slot == invalid_slot || slot >= blocks.n_owned())
-          return;
-        Index<dim> corner;
-        for (int d = 0; d < dim; ++d)
-          corner[d] = lower_node[d] - block_edge * block[d];
-        StencilValues<dim> stencil;
-        CellStencil<dim>().gather(content, blocks, slot, corner, stencil);
-
+        static_assert(n_points<dim> == n_cell_nodes<dim>);
+        const unsigned int first = lattice_cell == invalid_entry
+                                     ? material.none
+                                     : material.first_point(lattice_cell);
         for (int node = 0; node < n_cell_nodes<dim>; ++node)
           {
-            std::array<double, 3> lanes = {};
-            for (int neighbour = 0; neighbour < n_neighbours<dim>; ++neighbour)
+            std::array<double, dim + 1> values = {};
+            if (first != material.none)
               {
-                double weight = 1.;
-                int number    = 0;
-                for (int d = 0; d < dim; ++d)
-                  {
-                    weight *= bspline_at_node[place(neighbour, d)];
-                    number += power(stencil_edge, d) * (place(node, d) + place(neighbour, d));
-                  }
-                for (int lane = 0; lane < 3; ++lane)
-                  lanes[lane] += weight * stencil[number * n_lanes + 1 + lane];
+                const MaterialSample<dim> &sample = samples[first + node];
+                std::copy_n(sample.magnetization.values, dim, values.begin());
+                values[dim] = sample.number_density;
               }
-            magnetic_content.add(dofs[node], lanes);
+            medium.add(dofs[node], values);
           }
       }
     };
@@ -354,12 +331,10 @@ namespace magmpm
   template <int dim>
   FieldOutput<dim>::FieldOutput(const MPI_Comm communicator,
                                 const std::string &directory,
-                                const std::vector<std::string> &quantities,
-                                const MagnetizationLaw law)
+                                const std::vector<std::string> &quantities)
     : communicator(communicator)
     , directory(directory)
     , quantities(quantities)
-    , law(law)
     , record(directory + "/" + subfolder + ".pvd")
   {
     std::string allowed;
@@ -389,13 +364,10 @@ namespace magmpm
   FieldOutput<dim>::write_frame(const unsigned int frame,
                                 const double time,
                                 const PotentialProblem<dim> &potential,
-                                const BlockPartition<dim> &partition,
-                                const NodeField<dim> &content,
                                 const ExternalField<dim> &sources)
   {
-    const PotentialSolution<dim> &solution = potential.solution();
-    const NodalFields<dim> fields(solution, partition.blocks(), content, sources, law);
-    FieldPatches<dim> output(*solution.space, fields, quantities);
+    const NodalFields<dim> fields(potential, sources);
+    FieldPatches<dim> output(*potential.solution().space, fields, quantities);
 
     // best_compression, deal.II's default, takes several times as long for a few percent of space.
     dealii::DataOutBase::VtkFlags flags;

@@ -121,10 +121,8 @@ namespace magmpm
     , particle_output(communicator, parameters.output.directory)
   {
     if (parameters.mesh.carries_potential && parameters.output.write_fields)
-      field_output = std::make_unique<FieldOutput<dim>>(communicator,
-                                                        parameters.output.directory,
-                                                        parameters.output.field_quantities,
-                                                        parameters.magnetics.law);
+      field_output = std::make_unique<FieldOutput<dim>>(
+        communicator, parameters.output.directory, parameters.output.field_quantities);
   }
 
   template <int dim>
@@ -171,11 +169,9 @@ namespace magmpm
   void
   Results<dim>::write_fields(const RunState &state,
                              const PotentialProblem<dim> &potential,
-                             const BlockPartition<dim> &partition,
-                             const NodeField<dim> &content,
                              const ExternalField<dim> &sources)
   {
-    field_output->write_frame(state.frame, state.time, potential, partition, content, sources);
+    field_output->write_frame(state.frame, state.time, potential, sources);
   }
 
   template <int dim>
@@ -241,6 +237,8 @@ namespace magmpm
     statistics.set("CG iterations", solved ? solve.newton.linear_iterations : 0);
     statistics.set("Newton residual", solved ? solve.relative_final_residual() : 0.);
     statistics.set("dropped magnetic force", state.dropped_magnetic_force);
+    statistics.set("clipped fractions", static_cast<double>(solve.clipped_fractions));
+    statistics.set("clipped corrections", static_cast<double>(solve.clipped_corrections));
     statistics.set("potential unknowns", static_cast<double>(solve.n_unknowns));
     for (const std::string &phase : phases)
       {

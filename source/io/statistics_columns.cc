@@ -77,6 +77,8 @@ namespace magmpm
                     {"CG iterations", ""},
                     {"Newton residual", "-"},
                     {"dropped magnetic force", Unit::force},
+                    {"clipped fractions", ""},
+                    {"clipped corrections", ""},
                     {"potential unknowns", ""}});
     for (const std::string &phase : phases)
       columns.push_back({phase_column(phase), "s"});

@@ -37,6 +37,29 @@ namespace magmpm
           }
     }
 
+    /** Values at points from those of nodes; @p matrix(axis, point, node). */
+    template <int dim, typename Matrix>
+    void
+    contract_nodes(const StencilValues<dim> &values, const Matrix &matrix, PointValues<dim> &result)
+    {
+      StencilValues<dim> buffer[2];
+      const double *in = values.data();
+      int n_inner      = n_lanes;
+      for (int axis = 0; axis < dim; ++axis)
+        {
+          double *out       = (axis == dim - 1 ? result.data() : buffer[axis % 2].data());
+          const int n_outer = power(stencil_edge, dim - 1 - axis);
+          contract<stencil_edge, n_points_1d>(
+            [&](const int point, const int node) { return matrix(axis, point, node); },
+            in,
+            n_inner,
+            n_outer,
+            out);
+          in = out;
+          n_inner *= n_points_1d;
+        }
+    }
+
     /** Adds the values of points to nodes; @p matrix(axis, point, node). */
     template <int dim, typename Matrix>
     void
@@ -73,16 +96,17 @@ namespace magmpm
     {5. / 9., 8. / 9., 5. / 9.}};
 
   template <int dim>
-  CellStencil<dim>::CellStencil()
+  CellStencil<dim>::CellStencil(const int cell_edge)
     : value_matrix{}
     , derivative_matrix{}
   {
     for (int q = 0; q < n_points_1d; ++q)
       {
-        const int base = static_cast<int>(std::floor(points_1d[q] - 0.5));
+        const double point = 0.5 * cell_edge * points_1d[q];
+        const int base     = static_cast<int>(std::floor(point - 0.5));
         double weights[stencil_width], derivatives[stencil_width];
-        quadratic_bspline(points_1d[q] - base, weights);
-        quadratic_bspline_derivative(points_1d[q] - base, derivatives);
+        quadratic_bspline(point - base, weights);
+        quadratic_bspline_derivative(point - base, derivatives);
         for (int i = 0; i < stencil_width; ++i)
           {
             value_matrix[q][base + 1 + i]      = weights[i];
@@ -90,29 +114,30 @@ namespace magmpm
           }
       }
 
-    for (int position = 0; position < power(2, dim); ++position)
+    for (int corner = 0; corner < nodes_per_block<dim>; ++corner)
       for (int i = 0; i < n_stencil_nodes<dim>; ++i)
         {
           Place place = {0, 0};
-          int rest    = i;
-          for (int d = 0; d < dim; ++d, rest /= stencil_edge)
+          for (int d = 0, rest = i, lower = corner; d < dim; ++d)
             {
-              const int node = 2 * ((position >> d) & 1) - 1 + rest % stencil_edge; // -1 .. 5
+              const int node = lower % block_edge - 1 + rest % stencil_edge; // -1 .. 6
+              rest /= stencil_edge;
+              lower /= block_edge;
               place.neighbour += power(3, d) * (node < 0 ? 0 : (node < block_edge ? 1 : 2));
               place.node += power(block_edge, d) * ((node + block_edge) % block_edge);
             }
-          places[position][i] = place;
+          places[corner][i] = place;
         }
   }
 
   template <int dim>
   int
-  CellStencil<dim>::position_in_block(const Index<dim> &corner)
+  CellStencil<dim>::number_in_block(const Index<dim> &corner)
   {
-    int position = 0;
+    int number = 0;
     for (int d = 0; d < dim; ++d)
-      position |= (corner[d] / 2) << d;
-    return position;
+      number += power(block_edge, d) * corner[d];
+    return number;
   }
 
   template <int dim>
@@ -124,7 +149,7 @@ namespace magmpm
                            StencilValues<dim> &values) const
   {
     const auto &neighbours = blocks.neighbours(slot);
-    const Places &nodes    = places[position_in_block(corner)];
+    const Places &nodes    = places[number_in_block(corner)];
     for (int i = 0; i < n_stencil_nodes<dim>; ++i)
       {
         const int other = neighbours[nodes[i].neighbour];
@@ -144,7 +169,7 @@ namespace magmpm
                                 NodeField<dim> &field) const
   {
     const auto &neighbours = blocks.neighbours(slot);
-    const Places &nodes    = places[position_in_block(corner)];
+    const Places &nodes    = places[number_in_block(corner)];
     for (int i = 0; i < n_stencil_nodes<dim>; ++i)
       {
         const int other = neighbours[nodes[i].neighbour];
@@ -160,22 +185,24 @@ namespace magmpm
   void
   CellStencil<dim>::interpolate(const StencilValues<dim> &values, PointValues<dim> &result) const
   {
-    StencilValues<dim> buffer[2];
-    const double *in = values.data();
-    int n_inner      = n_lanes;
-    for (int axis = 0; axis < dim; ++axis)
-      {
-        double *out       = (axis == dim - 1 ? result.data() : buffer[axis % 2].data());
-        const int n_outer = power(stencil_edge, dim - 1 - axis);
-        contract<stencil_edge, n_points_1d>(
-          [this](const int point, const int node) { return value_matrix[point][node]; },
-          in,
-          n_inner,
-          n_outer,
-          out);
-        in = out;
-        n_inner *= n_points_1d;
-      }
+    contract_nodes<dim>(
+      values,
+      [this](const int, const int point, const int node) { return value_matrix[point][node]; },
+      result);
+  }
+
+  template <int dim>
+  void
+  CellStencil<dim>::interpolate_derivative(const StencilValues<dim> &values,
+                                           const int derivative_axis,
+                                           PointValues<dim> &result) const
+  {
+    contract_nodes<dim>(
+      values,
+      [this, derivative_axis](const int axis, const int point, const int node) {
+        return axis == derivative_axis ? derivative_matrix[point][node] : value_matrix[point][node];
+      },
+      result);
   }
 
   template <int dim>

@@ -52,6 +52,40 @@ namespace magmpm
       solution.potential.zero_out_ghost_values();
     }
 
+    /** h (x) (h + M) - |h|^2/2 I [A^2/m^2]: the first index is that of the force. */
+    template <int dim>
+    Matrix<dim>
+    self_stress(const Vector<dim> &h, const Vector<dim> &magnetization)
+    {
+      return outer(h, h + magnetization) + (-0.5 * norm_square(h)) * identity<dim>();
+    }
+
+    /** Its mean over the phases of a laminate, each with the fields of that phase. */
+    template <int dim>
+    Matrix<dim>
+    laminate_stress(const Vector<dim> &h,
+                    const LaminateResponse<dim> &medium,
+                    const double fraction)
+    {
+      if (!(fraction > 0.))
+        return self_stress(h, Vector<dim>());
+      const Vector<dim> inside  = h + (1. - fraction) * medium.jump;
+      const Vector<dim> outside = h - fraction * medium.jump;
+      return fraction * self_stress(inside, (1. / fraction) * medium.mean.magnetization) +
+             (1. - fraction) * self_stress(outside, Vector<dim>());
+    }
+
+    /** H in the material phase of a point: the sources' and the material's own [A/m]. */
+    template <int dim>
+    Vector<dim>
+    material_field(const MaterialPoints<dim> &material,
+                   const unsigned int point,
+                   const Vector<dim> &self_field)
+    {
+      return material.source_field(point) + self_field +
+             (1. - material.fraction(point)) * material.response(point, self_field).jump;
+    }
+
     /** Calls action(slot, node) for all nodes of owned blocks. */
     template <int dim, typename Action>
     void
@@ -95,9 +129,9 @@ namespace magmpm
                       const BlockPartition<dim> &partition,
                       NodeField<dim> &force)
   {
-    const BlockSet<dim> &blocks  = partition.blocks();
-    const double inverse_spacing = 1. / solution.space->mesh.lattice().spacing;
-    const CellStencil<dim> stencil;
+    const BlockSet<dim> &blocks     = partition.blocks();
+    const double inverse_spacing    = 1. / solution.space->mesh.lattice().spacing;
+    const CellStencil<dim> &stencil = material.stencil();
     force.reinit(blocks.size());
 
     for_active_cells(
@@ -108,22 +142,23 @@ namespace magmpm
         const unsigned int first                 = material.first_point(cell);
         for (int q = 0; q < n_points<dim>; ++q)
           {
-            const Vector<dim> &h = self_field[q];
-            const double weight  = constants::vacuum_permeability * material.weight(q);
-            Vector<dim> flux     = h;
-            if (first != material.none)
+            const double weight = constants::vacuum_permeability * material.weight(q);
+            Matrix<dim> tensor;
+            if (first == material.none)
+              tensor = self_stress(self_field[q], Vector<dim>());
+            else
               {
-                const Vector<dim> m       = material.response(first + q, h).magnetization;
-                const Vector<dim> density = material.source_gradient(first + q) * m;
-                flux += m;
+                const LaminateResponse<dim> medium = material.response(first + q, self_field[q]);
+                const double fraction              = material.fraction(first + q);
+                tensor                    = laminate_stress(self_field[q], medium, fraction);
+                const Vector<dim> density = material.source_gradient(first + q) *
+                                            medium.mean.magnetization;
                 for (int d = 0; d < dim; ++d)
                   body[q * n_lanes + d] = weight * density[d];
               }
             for (int axis = 0; axis < dim; ++axis)
               for (int d = 0; d < dim; ++d)
-                stress[axis][q * n_lanes + d] =
-                  weight * inverse_spacing *
-                  ((axis == d ? 0.5 * norm_square(h) : 0.) - h[d] * flux[axis]);
+                stress[axis][q * n_lanes + d] = -weight * inverse_spacing * tensor(d, axis);
           }
         StencilValues<dim> nodes = {};
         for (int axis = 0; axis < dim; ++axis)
@@ -147,8 +182,8 @@ namespace magmpm
                          const BlockPartition<dim> &partition,
                          NodeField<dim> &field)
   {
-    const BlockSet<dim> &blocks = partition.blocks();
-    const CellStencil<dim> stencil;
+    const BlockSet<dim> &blocks     = partition.blocks();
+    const CellStencil<dim> &stencil = material.stencil();
     field.reinit(blocks.size());
     // The weight takes the fourth lane: this is why it is free to the caller.
     for_active_cells(
@@ -160,7 +195,7 @@ namespace magmpm
         for (int q = 0; q < n_points<dim>; ++q)
           {
             const double weight     = material.weight(q) * material.volume_fraction(first + q);
-            const Vector<dim> total = self_field[q] + material.source_field(first + q);
+            const Vector<dim> total = material_field(material, first + q, self_field[q]);
             for (int d = 0; d < dim; ++d)
               values[q * n_lanes + d] = weight * total[d];
             values[q * n_lanes + n_lanes - 1] = weight;
@@ -185,33 +220,34 @@ namespace magmpm
   std::vector<MaterialSample<dim>>
   sample_material(const PotentialSolution<dim> &solution, const MaterialPoints<dim> &material)
   {
-    std::vector<MaterialSample<dim>> samples;
+    std::vector<MaterialSample<dim>> samples(material.size());
     for_active_cells(
       solution, material, [&](const unsigned int cell, const PointFields<dim> &self_field) {
         const unsigned int first = material.first_point(cell);
         if (first == material.none)
           return;
         for (int q = 0; q < n_points<dim>; ++q)
-          samples.push_back({material.cell_position(cell) + material.point_position(q),
-                             material.weight(q),
-                             material.volume_fraction(first + q),
-                             self_field[q] + material.source_field(first + q),
-                             material.response(first + q, self_field[q]).magnetization});
+          samples[first + q] = {material.cell_position(cell) + material.point_position(q),
+                                material.weight(q),
+                                material.volume_fraction(first + q),
+                                material_field(material, first + q, self_field[q]),
+                                material.response(first + q, self_field[q]).mean.magnetization,
+                                material.fraction(first + q) * material.number_density(first + q)};
       });
     return samples;
   }
 
-#define MAGMPM_INSTANTIATE(dim)                                        \
-  template void compute_split_force(const PotentialSolution<dim> &,    \
-                                    const MaterialPoints<dim> &,       \
-                                    const BlockPartition<dim> &,       \
-                                    NodeField<dim> &);                 \
-  template void compute_material_field(const PotentialSolution<dim> &, \
-                                       const MaterialPoints<dim> &,    \
-                                       const BlockPartition<dim> &,    \
-                                       NodeField<dim> &);              \
-  template std::vector<MaterialSample<dim>> sample_material(           \
-    const PotentialSolution<dim> &, const MaterialPoints<dim> &);
+#define MAGMPM_INSTANTIATE(dim)                                                             \
+  template void compute_split_force(const PotentialSolution<dim> &,                         \
+                                    const MaterialPoints<dim> &,                            \
+                                    const BlockPartition<dim> &,                            \
+                                    NodeField<dim> &);                                      \
+  template void compute_material_field(const PotentialSolution<dim> &,                      \
+                                       const MaterialPoints<dim> &,                         \
+                                       const BlockPartition<dim> &,                         \
+                                       NodeField<dim> &);                                   \
+  template std::vector<MaterialSample<dim>> sample_material(const PotentialSolution<dim> &, \
+                                                            const MaterialPoints<dim> &);
 
   MAGMPM_INSTANTIATE(2)
   MAGMPM_INSTANTIATE(3)

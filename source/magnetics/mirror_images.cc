@@ -6,31 +6,73 @@ namespace magmpm
 {
   namespace
   {
-    /** Adds the images behind the wall through node 0 along @p axis of the block in @p slot. */
+    enum class Image
+    {
+      add,
+      copy
+    };
+
+    /**
+     * Treats the nodes at the wall through node 0 along @p axis of the block in @p slot; material is
+     * in this block if @p is_in_front, in the one below if not.
+     */
     template <int dim>
     void
-    add_images_in_block(const BlockSet<dim> &blocks,
-                        const int slot,
-                        const int axis,
-                        NodeField<dim> &content)
+    reflect_in_block(const BlockSet<dim> &blocks,
+                     const int slot,
+                     const int axis,
+                     const bool is_in_front,
+                     const Image image,
+                     NodeField<dim> &field)
     {
-      const int middle = n_neighbours<dim> / 2;
-      const int below  = blocks.neighbours(slot)[middle - power(3, axis)];
+      const int below  = blocks.neighbours(slot)[n_neighbours<dim> / 2 - power(3, axis)];
       const int stride = power(block_edge, axis);
       for (int node = 0; node < nodes_per_block<dim>; ++node)
         {
           const int place = node / stride % block_edge;
-          double *lanes   = content.node(slot, node);
+          double *lanes   = field.node(slot, node);
           if (place == 0)
-            for (int lane = 0; lane < n_lanes; ++lane)
+            for (int lane = 0; lane < n_lanes && image == Image::add; ++lane)
               lanes[lane] *= 2.;
-          else if (place == 1 && below != invalid_slot)
+          else if (below != invalid_slot)
             {
-              double *image = content.node(below, node + 2 * stride);
+              // Node -place is node 4 - place of the block below.
+              double *opposite = field.node(below, node + (block_edge - 2 * place) * stride);
               for (int lane = 0; lane < n_lanes; ++lane)
-                lanes[lane] = image[lane] = lanes[lane] + image[lane];
+                {
+                  double value = (is_in_front ? lanes : opposite)[lane];
+                  if (image == Image::add && place == 1)
+                    value = lanes[lane] + opposite[lane];
+                  lanes[lane] = opposite[lane] = value;
+                }
             }
         }
+    }
+
+    template <int dim>
+    void
+    reflect(const BlockPartition<dim> &partition,
+            const Lattice<dim> &lattice,
+            const std::array<bool, 2 * dim> &shielded,
+            const Image image,
+            NodeField<dim> &field)
+    {
+      if (std::none_of(shielded.begin(), shielded.end(), [](const bool is) { return is; }))
+        return;
+
+      // Blocks behind a wall have the owner of the one in front of it: both sides are at hand.
+      const BlockSet<dim> &blocks = partition.blocks();
+      for (int face = 0; face < 2 * dim; ++face)
+        if (shielded[face])
+          {
+            const int axis      = face / 2;
+            const bool is_lower = (face % 2 == 0);
+            const int wall      = (is_lower ? 0 : lattice.n_cells[axis]);
+            for (int slot = 0; slot < blocks.n_owned(); ++slot)
+              if (block_edge * blocks.block(slot)[axis] == wall)
+                reflect_in_block(blocks, slot, axis, is_lower, image, field);
+          }
+      partition.update_ghosts(field);
     }
   } // namespace
 
@@ -41,31 +83,29 @@ namespace magmpm
                     const std::array<bool, 2 * dim> &shielded,
                     NodeField<dim> &content)
   {
-    if (std::none_of(shielded.begin(), shielded.end(), [](const bool is) { return is; }))
-      return;
-
-    // Blocks behind a wall have the owner of the one in front of it: both sides are at hand.
-    const BlockSet<dim> &blocks = partition.blocks();
-    for (int face = 0; face < 2 * dim; ++face)
-      if (shielded[face])
-        {
-          const int axis = face / 2;
-          const int wall = (face % 2 == 0 ? 0 : lattice.n_cells[axis]);
-          for (int slot = 0; slot < blocks.n_owned(); ++slot)
-            if (block_edge * blocks.block(slot)[axis] == wall)
-              add_images_in_block(blocks, slot, axis, content);
-        }
-    partition.update_ghosts(content);
+    reflect(partition, lattice, shielded, Image::add, content);
   }
 
-  template void
-  add_mirror_images(const BlockPartition<2> &,
-                    const Lattice<2> &,
-                    const std::array<bool, 4> &,
-                    NodeField<2> &);
-  template void
-  add_mirror_images(const BlockPartition<3> &,
-                    const Lattice<3> &,
-                    const std::array<bool, 6> &,
-                    NodeField<3> &);
+  template <int dim>
+  void
+  copy_mirror_images(const BlockPartition<dim> &partition,
+                     const Lattice<dim> &lattice,
+                     const std::array<bool, 2 * dim> &shielded,
+                     NodeField<dim> &field)
+  {
+    reflect(partition, lattice, shielded, Image::copy, field);
+  }
+
+#define MAGMPM_INSTANTIATE(dim)                                       \
+  template void add_mirror_images(const BlockPartition<dim> &,        \
+                                  const Lattice<dim> &,               \
+                                  const std::array<bool, 2 * dim> &,  \
+                                  NodeField<dim> &);                  \
+  template void copy_mirror_images(const BlockPartition<dim> &,       \
+                                   const Lattice<dim> &,              \
+                                   const std::array<bool, 2 * dim> &, \
+                                   NodeField<dim> &);
+
+  MAGMPM_INSTANTIATE(2)
+  MAGMPM_INSTANTIATE(3)
 } // namespace magmpm

@@ -5,7 +5,6 @@
 #include <magmpm/base/constants.h>
 #include <magmpm/magnetics/force_handover.h>
 #include <magmpm/magnetics/magnetic_force.h>
-#include <magmpm/magnetics/mirror_images.h>
 #include <magmpm/magnetics/open_boundary.h>
 #include <magmpm/magnetics/potential_operator.h>
 #include <magmpm/magnetics/potential_preconditioner.h>
@@ -62,6 +61,7 @@ namespace magmpm
       , partition(partition)
       , parameters(parameters)
       , timer(timer)
+      , material(mesh, partition, parameters)
     {
     }
 
@@ -129,10 +129,7 @@ namespace magmpm
   {
     const dealii::TimerOutput::Scope section(timer, "Solve potential: material");
     const PotentialSpace<dim> &space = *solution.space;
-    NodeField<dim> mirrored(content);
-    add_mirror_images(partition, mesh.lattice(), parameters.shielded, mirrored);
-    material.reinit(
-      space.lattice_cells, partition.blocks(), mirrored, sources, mesh.lattice(), parameters.law);
+    material.reinit(space.lattice_cells, content, sources);
 
     // Weights by |M| in the sources' field alone: the centre then depends on the present state only.
     const auto local = material.magnetized_weight();
@@ -269,6 +266,10 @@ namespace magmpm
     report.preconditioner_rebuilt = problem.has_rebuilt;
     report.energy                 = -constants::vacuum_permeability * problem.residual.energy();
     report.n_unknowns             = n_unknowns();
+    report.clipped_fractions      = dealii::Utilities::MPI::sum(
+      problem.material.indicator().n_clipped_fractions(), problem.mesh.communicator());
+    report.clipped_corrections = dealii::Utilities::MPI::sum(
+      problem.material.indicator().n_clipped_corrections(), problem.mesh.communicator());
     return report;
   }
 
@@ -293,6 +294,13 @@ namespace magmpm
     const Implementation &problem = *implementation;
     const dealii::TimerOutput::Scope section(problem.timer, "Compute magnetic force");
     compute_material_field(problem.solution, problem.material, problem.partition, field);
+  }
+
+  template <int dim>
+  const MaterialPoints<dim> &
+  PotentialProblem<dim>::material() const
+  {
+    return implementation->material;
   }
 
   template <int dim>

@@ -71,7 +71,7 @@ namespace magmpm
         Vector<dim> self_field;
         for (int d = 0; d < dim; ++d)
           self_field[d] = -fluxes[q][d][lane];
-        const MagneticResponse<dim> response = material.response(first + q, self_field);
+        const MagneticResponse<dim> response = material.response(first + q, self_field).mean;
 
         coenergy += response.coenergy * material.weight(q);
         for (int i = 0; i < dim; ++i)

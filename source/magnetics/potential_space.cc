@@ -43,11 +43,11 @@ namespace magmpm
   {
     const Lattice<dim> &lattice = mesh.lattice();
     const auto &triangulation   = mesh.triangulation();
+    const double edge           = mesh.parameters().cell_edge * lattice.spacing;
 
     lattice_cell_of_active_cell.assign(triangulation.n_active_cells(), invalid_entry);
     for (const auto &cell : triangulation.active_cell_iterators())
-      if (cell->is_locally_owned() &&
-          std::abs(cell->extent_in_direction(0) - 2. * lattice.spacing) < 0.1 * lattice.spacing)
+      if (cell->is_locally_owned() && std::abs(cell->extent_in_direction(0) - edge) < 0.1 * edge)
         {
           Vector<dim> corner;
           for (int d = 0; d < dim; ++d)

@@ -56,6 +56,15 @@ namespace magmpm
 
   template <int dim>
   bool
+  ExternalField<dim>::is_solid(const Vector<dim> &point) const
+  {
+    return std::any_of(solids.begin(), solids.end(), [&](const MagnetizedSphere<dim> *sphere) {
+      return norm_square(point - sphere->centre()) < sphere->radius() * sphere->radius();
+    });
+  }
+
+  template <int dim>
+  bool
   ExternalField<dim>::is_absent() const
   {
     return std::all_of(all_sources.begin(), all_sources.end(), [](const auto &source) {

@@ -115,6 +115,10 @@ namespace magmpm
     Index<dim>
     place(const CellIterator &cell) const;
 
+    /** The block that holds a cell of the level of blocks or finer. */
+    Index<dim>
+    block_of_cell(const CellIterator &cell) const;
+
     /** Keys, by level, of the cells that hold one of the blocks. */
     std::vector<BlockKeys>
     ancestors(const std::vector<Index<dim>> &blocks) const;
@@ -126,8 +130,16 @@ namespace magmpm
     bool
     is_fine(const std::vector<Index<dim>> &blocks) const;
 
+    /** Whether the ancestor of a cell on @p level (or its block, if that is coarser) has a key. */
+    bool
+    is_among(const std::vector<BlockKeys> &keys, const CellIterator &cell, const int level) const;
+
     bool
     refine_and_coarsen(const std::vector<BlockKeys> &refined, const std::vector<BlockKeys> *kept);
+
+    /** The weight of a cell for the partition. */
+    unsigned int
+    weight(const CellIterator &cell, const double cell_weight) const;
 
     /** Particles of the most loaded rank over the mean. */
     double
@@ -149,7 +161,8 @@ namespace magmpm
                                                       const MeshParameters<dim> &parameters)
     : lattice(lattice)
     , box(potential_box(lattice, parameters))
-    , finest_level(box.root_level + (parameters.carries_potential ? 1 : 0))
+    , finest_level(box.root_level +
+                   (parameters.carries_potential ? (parameters.cell_edge == 1 ? 2 : 1) : 0))
     , triangulation(communicator,
                     dealii::Triangulation<dim>::limit_level_difference_at_vertices,
                     typename Tria::Settings(Tria::construct_multigrid_hierarchy |
@@ -171,25 +184,40 @@ namespace magmpm
     dealii::GridGenerator::subdivided_hyper_rectangle(
       triangulation, repetitions, lower, upper, true);
 
-    // Costs of a step relative to each other: a cell of the potential takes as long as some 30
-    // particles if there is a solve every five steps, and less the rarer solves are.
-    const double cell_weight     = (parameters.carries_potential ? 1000. : 1.);
+    const double cell_weight = (parameters.carries_potential ? 1000. : 1.);
+    triangulation.signals.weight.connect([this, cell_weight](const CellIterator &cell, const auto) {
+      return weight(cell, cell_weight);
+    });
+  }
+
+  // Costs of a step relative to each other: a cell of the potential takes as long as some 30 particles
+  // if there is a solve every five steps, and less the rarer solves are.
+  //
+  // p4est keeps the children of a cell together, which are a block as long as cells have an edge of
+  // 2 dx. Of finer ones the first of a block, in the order of p4est, carries the weight of all: cuts
+  // between the ranks lie where the sum of weights grows, so never within a block.
+  template <int dim>
+  unsigned int
+  BackgroundMesh<dim>::Implementation::weight(const CellIterator &cell,
+                                              const double cell_weight) const
+  {
     const double particle_weight = 100.;
-    triangulation.signals.weight.connect(
-      [this, cell_weight, particle_weight](const CellIterator &cell, const auto) {
-        double particles = 0.;
-        const int level  = cell->level();
-        if (level >= box.root_level)
-          {
-            Index<dim> block = place(cell);
-            for (int d = 0; d < dim; ++d)
-              block[d] = (block[d] >> (level - box.root_level)) + box.lower[d];
-            const auto found = particles_in_block.find(block_key<dim>(block));
-            if (found != particles_in_block.end())
-              particles = found->second / std::pow(2., dim * (level - box.root_level));
-          }
-        return static_cast<unsigned int>(cell_weight + particle_weight * particles);
-      });
+    const int level              = cell->level();
+    if (level < box.root_level)
+      return static_cast<unsigned int>(cell_weight);
+
+    double particles = 0.;
+    const auto found = particles_in_block.find(block_key<dim>(block_of_cell(cell)));
+    if (found != particles_in_block.end())
+      particles = found->second;
+    const int depth       = level - box.root_level;
+    const double of_block = std::pow(2., dim * depth) * cell_weight + particle_weight * particles;
+    if (depth < 2)
+      return static_cast<unsigned int>(of_block / std::pow(2., dim * depth));
+    for (const int coordinate : place(cell))
+      if (coordinate % (1 << depth) != 0)
+        return 0;
+    return static_cast<unsigned int>(of_block);
   }
 
   template <int dim>
@@ -200,11 +228,20 @@ namespace magmpm
     for (int d = 0; d < dim; ++d)
       corner[d] = cell->vertex(0)[d];
     Index<dim> node = lattice.nearest_node(corner);
-    // An edge of the finest cells of level root_level + 1 is half a block, two nodes.
-    const int cells_per_half_block = box.root_level + 1 - cell->level();
+    const int edge  = (block_edge << box.root_level) >> cell->level(); // in dx
     for (int d = 0; d < dim; ++d)
-      node[d] = ((node[d] - block_edge * box.lower[d]) / 2) >> cells_per_half_block;
+      node[d] = (node[d] - block_edge * box.lower[d]) / edge;
     return node;
+  }
+
+  template <int dim>
+  Index<dim>
+  BackgroundMesh<dim>::Implementation::block_of_cell(const CellIterator &cell) const
+  {
+    Index<dim> block = place(cell);
+    for (int d = 0; d < dim; ++d)
+      block[d] = (block[d] >> (cell->level() - box.root_level)) + box.lower[d];
+    return block;
   }
 
   template <int dim>
@@ -248,15 +285,26 @@ namespace magmpm
     for (const auto &cell : triangulation.active_cell_iterators())
       if (cell->is_locally_owned() && cell->level() == finest_level)
         {
-          Index<dim> block = place(cell);
-          for (int d = 0; d < dim; ++d)
-            block[d] = (block[d] >> (finest_level - box.root_level)) + box.lower[d];
+          const Index<dim> block = block_of_cell(cell);
           if (needed.count(block_key<dim>(block)) > 0)
             owned.insert(block_key<dim>(block));
         }
     const std::size_t found = dealii::Utilities::MPI::sum(owned.size(),
                                                           triangulation.get_communicator());
     return found == needed.size();
+  }
+
+  template <int dim>
+  bool
+  BackgroundMesh<dim>::Implementation::is_among(const std::vector<BlockKeys> &keys,
+                                                const CellIterator &cell,
+                                                const int level) const
+  {
+    const int key_level = std::min(level, box.root_level);
+    Index<dim> ancestor = place(cell);
+    for (int d = 0; d < dim; ++d)
+      ancestor[d] >>= cell->level() - key_level;
+    return keys[key_level].count(block_key<dim>(ancestor)) > 0;
   }
 
   template <int dim>
@@ -268,22 +316,16 @@ namespace magmpm
     for (const auto &cell : triangulation.active_cell_iterators())
       if (cell->is_locally_owned())
         {
-          const int level   = cell->level();
-          Index<dim> parent = place(cell);
-          if (level < finest_level && refined[level].count(block_key<dim>(parent)) > 0)
+          const int level = cell->level();
+          if (level < finest_level && is_among(refined, cell, level))
             {
               cell->set_refine_flag();
               any = true;
             }
-          else if (kept != nullptr && level > 0)
+          else if (kept != nullptr && level > 0 && !is_among(*kept, cell, level - 1))
             {
-              for (int d = 0; d < dim; ++d)
-                parent[d] >>= 1;
-              if ((*kept)[level - 1].count(block_key<dim>(parent)) == 0)
-                {
-                  cell->set_coarsen_flag();
-                  any = true;
-                }
+              cell->set_coarsen_flag();
+              any = true;
             }
         }
     any = dealii::Utilities::MPI::max(static_cast<int>(any), triangulation.get_communicator()) > 0;
@@ -300,10 +342,7 @@ namespace magmpm
     for (const auto &cell : triangulation.active_cell_iterators())
       if (cell->is_locally_owned() && cell->level() >= box.root_level)
         {
-          Index<dim> block = place(cell);
-          for (int d = 0; d < dim; ++d)
-            block[d] = (block[d] >> (cell->level() - box.root_level)) + box.lower[d];
-          const auto found = particles_in_block.find(block_key<dim>(block));
+          const auto found = particles_in_block.find(block_key<dim>(block_of_cell(cell)));
           if (found != particles_in_block.end())
             load += found->second;
         }

@@ -101,9 +101,8 @@ TEMPLATE_TEST_CASE_SIG("written fields are read back by VTK", "[io][mpi]", ((int
   const ExternalField<dim> sources({test::uniform_source<dim>(outer)});
   scene.problem.solve(scene.content, sources);
 
-  FieldOutput<dim> output(
-    MPI_COMM_WORLD, folder, FieldOutput<dim>::quantity_names(), parameters.law);
-  output.write_frame(7, 0.25, scene.problem, scene.partition, scene.content, sources);
+  FieldOutput<dim> output(MPI_COMM_WORLD, folder, FieldOutput<dim>::quantity_names());
+  output.write_frame(7, 0.25, scene.problem, sources);
 
   if (testing::this_rank() == 0)
     {
@@ -131,8 +130,8 @@ TEST_CASE("the written field is continuous", "[io]")
   scene.set_bodies({test::sphere<2>({{0.12, 0.12}}, 0.05, {1e5, chi})});
   const ExternalField<2> sources({test::uniform_source<2>({{outer_field, 0.}})});
   scene.problem.solve(scene.content, sources);
-  FieldOutput<2> output(MPI_COMM_WORLD, folder, {"H_int"}, parameters.law);
-  output.write_frame(0, 0., scene.problem, scene.partition, scene.content, sources);
+  FieldOutput<2> output(MPI_COMM_WORLD, folder, {"H_int"});
+  output.write_frame(0, 0., scene.problem, sources);
 
   vtkNew<vtkXMLPUnstructuredGridReader> reader;
   reader->SetFileName((folder + "/fields/fields_0000.pvtu").c_str());
@@ -166,7 +165,7 @@ TEST_CASE("the written field is continuous", "[io]")
 
 TEST_CASE("an unknown field quantity is an input error", "[io]")
 {
-  CHECK_THROWS_WITH(FieldOutput<2>(MPI_COMM_WORLD, ".", {"H", "flux"}, MagnetizationLaw::linear),
+  CHECK_THROWS_WITH(FieldOutput<2>(MPI_COMM_WORLD, ".", {"H", "flux"}),
                     "The field quantity 'flux' is unknown. Allowed are: potential, H_int, H, M, B, "
                     "number_density.");
 }

@@ -48,7 +48,7 @@ TEMPLATE_TEST_CASE_SIG("A cell stencil reproduces linear functions",
   const auto linear = [](const Vector<dim> &x) {
     return 0.7 + 1.3 * x[0] - 2.1 * x[1] + 0.4 * x[dim - 1];
   };
-  const CellStencil<dim> stencil;
+  const CellStencil<dim> stencil(2);
   PointValues<dim> values;
   stencil.interpolate(nodal_values<dim>(linear), values);
   for (int q = 0; q < n_points<dim>; ++q)
@@ -66,7 +66,7 @@ TEMPLATE_TEST_CASE_SIG("A cell stencil tests with values and derivatives",
                        2,
                        3)
 {
-  const CellStencil<dim> stencil;
+  const CellStencil<dim> stencil(2);
   PointValues<dim> tested;
   double sum = 0.;
   for (int i = 0; i < n_points<dim> * n_lanes; ++i)
@@ -130,7 +130,7 @@ TEMPLATE_TEST_CASE_SIG("A cell stencil gathers from the blocks around",
       for (int d = 0; d < dim; ++d)
         field.node(slot, node)[d] = node_of_block<dim>(set.block(slot), node)[d];
 
-  const CellStencil<dim> stencil;
+  const CellStencil<dim> stencil(2);
   Index<dim> corner;
   corner.fill(2);
   corner[0] = 0;

@@ -17,14 +17,14 @@ namespace
     explicit JacobianTest(const MagnetizationLaw law)
       : scene(16, spacing, 2., {})
       , sources({uniform_source<dim>(uniform_field())})
+      , material(scene.mesh, scene.partition, with_law(law))
     {
       Vector<dim> centre;
       for (int d = 0; d < dim; ++d)
         centre[d] = spacing * (8.3 + 0.2 * d);
       scene.set_bodies({sphere<dim>(centre, 3. * spacing, {9e4, 3.})});
       space = std::make_unique<PotentialSpace<dim>>(scene.mesh, false);
-      material.reinit(
-        space->lattice_cells, scene.partition.blocks(), scene.content, sources, scene.lattice, law);
+      material.reinit(space->lattice_cells, scene.content, sources);
       boundary = std::make_unique<OpenBoundary<dim>>(*space, std::array<bool, 2 * dim>{}, centre);
 
       jacobian.initialize(space->matrix_free);
@@ -33,6 +33,14 @@ namespace
         const auto cell = space->matrix_free->get_cell_iterator(batch, lane);
         return boundary->element_matrix(cell, matrix) ? &matrix : nullptr;
       });
+    }
+
+    static MagneticsParameters<dim>
+    with_law(const MagnetizationLaw law)
+    {
+      MagneticsParameters<dim> parameters;
+      parameters.law = law;
+      return parameters;
     }
 
     /** A vector of numbers of order one that does not depend on the number of ranks. */

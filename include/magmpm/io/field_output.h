@@ -24,7 +24,8 @@ namespace magmpm
    *
    * M and thus B are those of material: inside a magnet its own magnetization is not in them.
    * All are values at the nodes of FE_Q(2), each cell cut in 2^dim; H_int, which jumps between cells,
-   * is averaged there, so that field lines drawn by a stream tracer are continuous.
+   * is averaged there, so that field lines drawn by a stream tracer are continuous. M and the density
+   * of grains are means over the quadrature points around a node.
    */
   template <int dim>
   class FieldOutput
@@ -34,28 +35,23 @@ namespace magmpm
      * Makes the folder `fields` in @p directory, which must exist. Collective.
      *
      * @param quantities  the names above that are written.
-     * @param law         of the magnetization, as of the potential problem.
      * @throw InputError if a name is unknown, RunError if the folder cannot be made.
      */
     FieldOutput(const MPI_Comm communicator,
                 const std::string &directory,
-                const std::vector<std::string> &quantities,
-                const MagnetizationLaw law);
+                const std::vector<std::string> &quantities);
 
     /**
-     * Writes one frame: the potential of the last solve, with sources and content as they are now (in
+     * Writes one frame: potential and medium of the last solve, with the sources as they are now (in
      * general those of that solve). Collective.
      *
-     * @param frame    number of the frame, in the names of the files.
-     * @param time     [s].
-     * @param content  as PotentialProblem::solve() takes it.
+     * @param frame  number of the frame, in the names of the files.
+     * @param time   [s].
      */
     void
     write_frame(const unsigned int frame,
                 const double time,
                 const PotentialProblem<dim> &potential,
-                const BlockPartition<dim> &partition,
-                const NodeField<dim> &content,
                 const ExternalField<dim> &sources);
 
     /** The names of all quantities. */
@@ -66,7 +62,6 @@ namespace magmpm
     const MPI_Comm communicator;
     const std::string directory;
     const std::vector<std::string> quantities;
-    const MagnetizationLaw law;
     PvdRecord record;
   };
 } // namespace magmpm

@@ -106,8 +106,6 @@ namespace magmpm
     void
     write_fields(const RunState &state,
                  const PotentialProblem<dim> &potential,
-                 const BlockPartition<dim> &partition,
-                 const NodeField<dim> &content,
                  const ExternalField<dim> &sources);
 
     /** The line of a frame on the terminal. */

@@ -11,7 +11,7 @@ namespace magmpm
   template <int dim>
   inline constexpr int n_points = power(n_points_1d, dim);
 
-  /** Lattice nodes whose B-splines reach into a mesh cell of edge 2 dx: -1 .. 3 per axis. */
+  /** Lattice nodes whose B-splines reach into a mesh cell of edge 2 dx: -1 .. 3 per axis (dx: -1 .. 2). */
   inline constexpr int stencil_edge = 5;
   template <int dim>
   inline constexpr int n_stencil_nodes = power(stencil_edge, dim);
@@ -26,16 +26,17 @@ namespace magmpm
 
   /**
    * Quadratic B-splines of spacing dx, evaluated at the points of QGauss(3) in a mesh cell of edge
-   * 2 dx with nodes 0 .. 2, and integrated over it. The points of all such cells lie alike, so both are
-   * products of fixed 3 x 5 matrices, one axis after the other (sum factorization).
+   * 2 dx (or dx) whose lower node is node 0, and integrated over it. The points of all such cells lie
+   * alike, so both are products of fixed 3 x 5 matrices, one axis after the other (sum factorization).
    */
   template <int dim>
   class CellStencil
   {
   public:
-    CellStencil();
+    /** @param cell_edge  of the mesh cells, in dx: 2 or 1. */
+    explicit CellStencil(const int cell_edge);
 
-    /** Reduced coordinates of the Gauss points on [0, 2] and their weights (sum 2), in units of dx. */
+    /** Coordinates of the Gauss points on [0, 2] and their weights (sum 2): half cell edges. */
     static const std::array<double, n_points_1d> points_1d;
     static const std::array<double, n_points_1d> weights_1d;
 
@@ -43,7 +44,7 @@ namespace magmpm
      * Reads the nodes around a cell; nodes of blocks that are not active count as zero.
      *
      * @param slot    of the cell's block.
-     * @param corner  the cell's lower node within the block: 0 or 2 per axis.
+     * @param corner  the cell's lower node within the block: 0 .. 3 per axis.
      */
     void
     gather(const NodeField<dim> &field,
@@ -64,6 +65,12 @@ namespace magmpm
     void
     interpolate(const StencilValues<dim> &values, PointValues<dim> &result) const;
 
+    /** The same with dN_i/dx_axis, in units of 1/dx. */
+    void
+    interpolate_derivative(const StencilValues<dim> &values,
+                           const int axis,
+                           PointValues<dim> &result) const;
+
     /** Adds Sum_q N_i(x_q) values_q for every node: the transpose of interpolate(). */
     void
     add_tested(const PointValues<dim> &values, StencilValues<dim> &result) const;
@@ -83,11 +90,11 @@ namespace magmpm
     };
 
     using Places = std::array<Place, n_stencil_nodes<dim>>;
-    std::array<Places, power(2, dim)> places; ///< by position of the cell in its block
+    std::array<Places, nodes_per_block<dim>> places; ///< by lower node of the cell in its block
     double value_matrix[n_points_1d][stencil_edge];
     double derivative_matrix[n_points_1d][stencil_edge];
 
     static int
-    position_in_block(const Index<dim> &corner);
+    number_in_block(const Index<dim> &corner);
   };
 } // namespace magmpm

@@ -12,7 +12,8 @@ namespace magmpm
    *   f_i = mu_0 int [-h ((h + M).grad N_i) + |h|^2/2 grad N_i] + int N_i mu_0 (M.grad) H_ext.
    * The stress h (x) (h + M) of the field that the material makes itself is not symmetric: h + M is
    * what is contracted with grad N_i. The stress of H_ext never enters, so that there are no ghost
-   * forces near a strong magnet. The integral is over the cells of active blocks, with the quadrature
+   * forces near a strong magnet. In a laminate each product is that of its phase, and the mean over
+   * both is taken. The integral is over the cells of active blocks, with the quadrature
    * points of the solve; nodes whose B-spline reaches beyond active blocks are left at zero.
    *
    * @param force  lanes f_x f_y f_z [N] on owned nodes, summed over the ranks; ghosts zero. Collective.
@@ -25,7 +26,7 @@ namespace magmpm
                       NodeField<dim> &force);
 
   /**
-   * H in the material, averaged to nodes: int v N_i H / int v N_i, zero without material.
+   * H in the material phase, averaged to nodes: int f N_i H / int f N_i, zero without material.
    *
    * @param field  lanes H_x H_y H_z [A/m], ghosts updated. Collective.
    */

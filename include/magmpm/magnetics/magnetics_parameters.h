@@ -15,7 +15,7 @@ namespace magmpm
   /** What counts as material at a point. */
   enum class MaterialIndicator
   {
-    sharp,  ///< a volume fraction that falls from 1 to 0 at the surface, and a laminate in cut cells
+    sharp, ///< a volume fraction that falls from 1 to 0 at the surface, and a laminate in cut cells
     smeared ///< the grain density that the particles spread on the lattice, as in the paper
   };
 

@@ -1,10 +1,13 @@
 #pragma once
 
 #include <magmpm/magnetics/cell_stencil.h>
+#include <magmpm/magnetics/laminate.h>
+#include <magmpm/magnetics/magnetics_parameters.h>
+#include <magmpm/magnetics/sharp_indicator.h>
 #include <magmpm/magnets/external_field.h>
-#include <magmpm/materials/magnetization.h>
 
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace magmpm
@@ -14,9 +17,11 @@ namespace magmpm
    * material. Content comes from node fields through quadratic B-splines of spacing dx; the field of
    * the sources is evaluated here, and only where material is.
    *
-   * The medium is the smeared one: content interpolated from the nodes, M = M(content, H). (A sharp
-   * indicator and the two-phase laminate of a cut cell belong here: they change reinit() and
-   * response(), whose M, tangent and coenergy density are those of the mixture at a point.)
+   * With the sharp indicator a point is a laminate of a fraction f of material and vacuum, with layers
+   * across nu = grad v/|grad v|; content is that of the material, q P2G(..)/P2G(volume). No material is
+   * inside solid sources, and the correction q leaves these points out (SharpIndicator).
+   *
+   * With the smeared one it is all material, of the content that P2G spreads, as in the paper.
    */
   template <int dim>
   class MaterialPoints
@@ -24,21 +29,24 @@ namespace magmpm
   public:
     static constexpr unsigned int none = std::numeric_limits<unsigned int>::max();
 
+    /** All of these must outlive this object. */
+    MaterialPoints(const BackgroundMesh<dim> &mesh,
+                   const BlockPartition<dim> &partition,
+                   const MagneticsParameters<dim> &parameters);
+
     /**
-     * Finds the cells with material among @p lattice_cells and evaluates content and sources there.
+     * Finds the cells with material among @p lattice_cells and evaluates medium and sources there.
+     * Collective.
      *
-     * @param lattice_cells  lower nodes of this rank's mesh cells of edge 2 dx.
-     * @param content        on the nodes of @p blocks, ghosts updated: lanes {volume fraction [-],
-     *                       density of saturation magnetization [A/m], of susceptibility [-], of
+     * @param lattice_cells  lower nodes of this rank's mesh cells of the finest edge.
+     * @param content        on the nodes of the active blocks, ghosts updated: lanes {volume fraction
+     *                       [-], density of saturation magnetization [A/m], of susceptibility [-], of
      *                       grains [1/m^3]}.
      */
     void
     reinit(const std::vector<Index<dim>> &lattice_cells,
-           const BlockSet<dim> &blocks,
            const NodeField<dim> &content,
-           const ExternalField<dim> &sources,
-           const Lattice<dim> &lattice,
-           const MagnetizationLaw law);
+           const ExternalField<dim> &sources);
 
     /** The slot of the owned active block that holds a lattice cell, or invalid_slot. */
     int
@@ -82,9 +90,34 @@ namespace magmpm
       return static_cast<unsigned int>(points.size());
     }
 
-    /** Magnetization, its tangent and its coenergy density in the field of the sources plus @p self_field. */
-    MagneticResponse<dim>
-    response(const unsigned int point, const Vector<dim> &self_field) const;
+    /** The medium in the field of the sources plus @p self_field. */
+    LaminateResponse<dim>
+    response(const unsigned int point, const Vector<dim> &self_field) const
+    {
+      const Point &p = points[point];
+      return laminate_response<dim>(law, p.content, p.fraction, p.normal, p.field + self_field);
+    }
+
+    /** f of the laminate: the part of the volume that response() calls material. */
+    double
+    fraction(const unsigned int point) const
+    {
+      return points[point].fraction;
+    }
+
+    /** The part of the volume that is material, v for the smeared indicator and f for the sharp one. */
+    double
+    volume_fraction(const unsigned int point) const
+    {
+      return points[point].volume_fraction;
+    }
+
+    /** Grains per volume of the material [1/m^3]. */
+    double
+    number_density(const unsigned int point) const
+    {
+      return points[point].number_density;
+    }
 
     /** H of the sources [A/m]; zero at points without material. */
     const Vector<dim> &
@@ -100,17 +133,11 @@ namespace magmpm
       return points[point].gradient;
     }
 
-    /** Of the quadrature point @p q (0 .. n_points - 1) of every cell; they sum to (2 dx)^dim. */
+    /** Of the quadrature point @p q (0 .. n_points - 1) of every cell; they sum to a cell [m^dim]. */
     double
     weight(const int q) const
     {
       return weights[q];
-    }
-
-    double
-    volume_fraction(const unsigned int point) const
-    {
-      return points[point].volume_fraction;
     }
 
     /** Sum over this rank's points of w |M(H of the sources)| {1, x}: weight and first moment. */
@@ -118,6 +145,19 @@ namespace magmpm
     magnetized_weight() const
     {
       return {total_weight, first_moment};
+    }
+
+    /** What the indicator had to clip; unused with the smeared one. */
+    const SharpIndicator<dim> &
+    indicator() const
+    {
+      return the_indicator;
+    }
+
+    const CellStencil<dim> &
+    stencil() const
+    {
+      return the_stencil;
     }
 
   private:
@@ -132,13 +172,22 @@ namespace magmpm
     struct Point
     {
       MagneticContent content;
-      double volume_fraction;
+      double fraction        = 0.;
+      double volume_fraction = 0.;
+      double number_density  = 0.;
+      Vector<dim> normal;
       Vector<dim> field;
       Matrix<dim> gradient;
     };
 
-    CellStencil<dim> stencil;
-    MagnetizationLaw law;
+    const BlockPartition<dim> &partition;
+    const Lattice<dim> lattice;
+    const MagnetizationLaw law;
+    const bool is_sharp;
+    const std::array<bool, 2 * dim> shielded;
+    const CellStencil<dim> the_stencil;
+
+    SharpIndicator<dim> the_indicator;
     std::vector<Cell> cells;
     std::vector<Point> points;
     double total_weight = 0.;
@@ -147,10 +196,29 @@ namespace magmpm
     std::array<double, n_points<dim>> weights;
     std::array<Vector<dim>, n_points<dim>> positions; ///< from the lower node of a cell [m]
 
+    /** Places the cells that lie in owned active blocks. */
     void
-    add_cell(const Index<dim> &lower_node,
-             const PointValues<dim> &content,
-             const ExternalField<dim> &sources,
-             const Lattice<dim> &lattice);
+    locate_cells(const std::vector<Index<dim>> &lattice_cells);
+
+    /** Gives points with their fraction to cells with material, for the sharp indicator. */
+    void
+    find_fractions(const NodeField<dim> &content, const ExternalField<dim> &sources);
+
+    void
+    find_fractions_of_cell(Cell &cell,
+                           const ExternalField<dim> &sources,
+                           NodeField<dim> &tested_fraction);
+
+    /** Gives points to cells with content, for the smeared indicator. */
+    void
+    find_smeared_cells(const NodeField<dim> &content);
+
+    /** Completes the points of a cell. */
+    void
+    set_medium(const Cell &cell, const NodeField<dim> &content, const ExternalField<dim> &sources);
+
+    /** nu at the points of a cell. */
+    void
+    set_normals(const Cell &cell);
   };
 } // namespace magmpm

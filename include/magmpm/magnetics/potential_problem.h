@@ -19,6 +19,9 @@ namespace magmpm
   template <int dim>
   struct PotentialSolution;
 
+  template <int dim>
+  class MaterialPoints;
+
   /** The magnetic medium at one quadrature point. */
   template <int dim>
   struct MaterialSample
@@ -28,6 +31,7 @@ namespace magmpm
     double fraction;           ///< of the volume that is magnetic material [-]
     Vector<dim> field;         ///< H, the total one, in the material [A/m]
     Vector<dim> magnetization; ///< mean M over material and vacuum [A/m]: int M is the moment
+    double number_density;     ///< of grains, mean over material and vacuum [1/m^3]
   };
 
   /**
@@ -78,14 +82,18 @@ namespace magmpm
 
     /**
      * The field in the material at the last solve, as its mean around each node:
-     * int v N_i H / int v N_i. The partition must be that of the last solve. Collective.
+     * int f N_i H / int f N_i. The partition must be that of the last solve. Collective.
      *
      * @param field  lanes H_x H_y H_z [A/m], ghosts updated; zero where no material is.
      */
     void
     compute_field(NodeField<dim> &field) const;
 
-    /** The medium of this rank at the last solve, for integrals over it. */
+    /** The medium of this rank at the last solve; valid until the next one. */
+    const MaterialPoints<dim> &
+    material() const;
+
+    /** Its points with the fields there, in the order of material(), for integrals over them. */
     std::vector<MaterialSample<dim>>
     material_samples() const;
 

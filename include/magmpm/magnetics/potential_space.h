@@ -27,8 +27,8 @@ namespace magmpm
 
   /**
    * The FE_Q(2) space of the scalar potential on one state of the mesh: degrees of freedom, hanging
-   * nodes, deal.II's MatrixFree, and the lattice cells (locally owned cells of edge 2 dx, the only
-   * ones that can hold material). Built anew after each change of the mesh. This header, unlike the
+   * nodes, deal.II's MatrixFree, and the lattice cells (locally owned cells of the finest edge, 2 dx or
+   * dx, the only ones that can hold material). Built anew after each change of the mesh. This header, unlike the
    * public ones of this room, includes deal.II.
    */
   template <int dim>

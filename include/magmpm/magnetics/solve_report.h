@@ -13,6 +13,9 @@ namespace magmpm
     double energy                 = 0.; ///< U = -mu_0 min Pi [J]; J/m in 2D
     unsigned long long n_unknowns = 0;
 
+    unsigned long clipped_fractions   = 0; ///< nodes, see SharpIndicator
+    unsigned long clipped_corrections = 0; ///< nodes, see SharpIndicator
+
     /** Residual at the start over that at zero potential: 1 from zero, smaller from the last solution. */
     double
     relative_initial_residual() const

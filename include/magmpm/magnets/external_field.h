@@ -33,6 +33,10 @@ namespace magmpm
     Matrix<dim>
     field_gradient(const Vector<dim> &point) const;
 
+    /** Whether a solid source is at @p point [m]: no material can be there. */
+    bool
+    is_solid(const Vector<dim> &point) const;
+
     /** Whether there is no field at any time: no source, or all of them constant and zero. */
     bool
     is_absent() const;
