@@ -1,6 +1,6 @@
-#include "accuracy_table.h"
+#include <magnetic_accuracy/accuracy_table.h>
 
-#include <benchmarks/accuracy_limits.h>
+#include <magnetostatics/accuracy_limits.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
-#include "case_list.h"
+#include <magnetic_accuracy/case_list.h>
 
-#include <benchmarks/cube_errors.h>
-#include <benchmarks/ellipsoid_errors.h>
-#include <benchmarks/pair_errors.h>
-#include <benchmarks/sphere_errors.h>
+#include <magnetostatics/cube_errors.h>
+#include <magnetostatics/ellipsoid_errors.h>
+#include <magnetostatics/pair_errors.h>
+#include <magnetostatics/sphere_errors.h>
 
 #include <algorithm>
 #include <memory>

@@ -1,4 +1,4 @@
-#include "options.h"
+#include <magnetic_accuracy/options.h>
 
 #include <magmpm/base/exceptions.h>
 #include <magmpm/io/parameter_names.h>

@@ -4,10 +4,10 @@
 #include <magmpm/base/exceptions.h>
 #include <magmpm/magnets/external_field.h>
 
-#include <benchmarks/exact_magnetostatics.h>
-#include <benchmarks/jittered_points.h>
-#include <benchmarks/sources.h>
-#include <benchmarks/two_spheres.h>
+#include <magnetostatics/exact_magnetostatics.h>
+#include <magnetostatics/jittered_points.h>
+#include <magnetostatics/sources.h>
+#include <magnetostatics/two_spheres.h>
 
 #include <cmath>
 

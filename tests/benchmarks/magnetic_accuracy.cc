@@ -1,9 +1,9 @@
 #include "catch.h"
 
-#include <benchmarks/accuracy_limits.h>
-#include <benchmarks/ellipsoid_errors.h>
-#include <benchmarks/pair_errors.h>
-#include <benchmarks/sphere_errors.h>
+#include <magnetostatics/accuracy_limits.h>
+#include <magnetostatics/ellipsoid_errors.h>
+#include <magnetostatics/pair_errors.h>
+#include <magnetostatics/sphere_errors.h>
 
 #include <cmath>
 #include <functional>

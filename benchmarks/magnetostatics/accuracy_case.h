@@ -1,7 +1,7 @@
 #pragma once
 
-#include <benchmarks/jittered_points.h>
-#include <benchmarks/magnetic_scene.h>
+#include <magnetostatics/jittered_points.h>
+#include <magnetostatics/magnetic_scene.h>
 
 #include <string>
 #include <vector>

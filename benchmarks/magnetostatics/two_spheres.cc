@@ -1,9 +1,9 @@
 #include <magmpm/base/constants.h>
 #include <magmpm/base/exceptions.h>
 
-#include <benchmarks/two_spheres.h>
 #include <boost/math/special_functions/binomial.hpp>
 #include <boost/math/special_functions/factorials.hpp>
+#include <magnetostatics/two_spheres.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include <benchmarks/accuracy_limits.h>
+#include <magnetostatics/accuracy_limits.h>
 
 #include <cmath>
 

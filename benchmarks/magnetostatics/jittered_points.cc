@@ -1,4 +1,4 @@
-#include <benchmarks/jittered_points.h>
+#include <magnetostatics/jittered_points.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
-#include <benchmarks/accuracy_case.h>
-#include <benchmarks/exact_magnetostatics.h>
+#include <magnetostatics/accuracy_case.h>
+#include <magnetostatics/exact_magnetostatics.h>
 
 #include <cmath>
 #include <stdexcept>

@@ -1,4 +1,4 @@
-#include <benchmarks/sources.h>
+#include <magnetostatics/sources.h>
 
 #include <cstdio>
 

@@ -4,7 +4,7 @@
 #include <magmpm/particles/particle_grid_transfer.h>
 #include <magmpm/particles/particle_migration.h>
 
-#include <benchmarks/magnetic_scene.h>
+#include <magnetostatics/magnetic_scene.h>
 
 #include <ostream>
 

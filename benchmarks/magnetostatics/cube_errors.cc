@@ -1,5 +1,5 @@
-#include <benchmarks/cube_errors.h>
-#include <benchmarks/sources.h>
+#include <magnetostatics/cube_errors.h>
+#include <magnetostatics/sources.h>
 
 #include <cmath>
 

@@ -4,9 +4,9 @@
 
 #include <deal.II/base/mpi.h>
 
-#include "accuracy_table.h"
-#include "case_list.h"
-#include "options.h"
+#include <magnetic_accuracy/accuracy_table.h>
+#include <magnetic_accuracy/case_list.h>
+#include <magnetic_accuracy/options.h>
 
 #include <algorithm>
 #include <iostream>

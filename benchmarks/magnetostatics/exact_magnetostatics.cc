@@ -1,8 +1,8 @@
 #include <magmpm/base/constants.h>
 #include <magmpm/base/exceptions.h>
 
-#include <benchmarks/exact_magnetostatics.h>
 #include <boost/math/special_functions/ellint_rd.hpp>
+#include <magnetostatics/exact_magnetostatics.h>
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
-#include <benchmarks/exact_magnetostatics.h>
-#include <benchmarks/pair_errors.h>
-#include <benchmarks/sources.h>
-#include <benchmarks/two_spheres.h>
+#include <magnetostatics/exact_magnetostatics.h>
+#include <magnetostatics/pair_errors.h>
+#include <magnetostatics/sources.h>
+#include <magnetostatics/two_spheres.h>
 
 #include <algorithm>
 

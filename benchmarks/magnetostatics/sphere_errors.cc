@@ -1,8 +1,8 @@
 #include <magmpm/base/constants.h>
 
-#include <benchmarks/exact_magnetostatics.h>
-#include <benchmarks/sources.h>
-#include <benchmarks/sphere_errors.h>
+#include <magnetostatics/exact_magnetostatics.h>
+#include <magnetostatics/sources.h>
+#include <magnetostatics/sphere_errors.h>
 
 #include <array>
 #include <cmath>

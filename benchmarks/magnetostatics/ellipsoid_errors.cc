@@ -1,8 +1,8 @@
 #include <magmpm/base/constants.h>
 
-#include <benchmarks/ellipsoid_errors.h>
-#include <benchmarks/exact_magnetostatics.h>
-#include <benchmarks/sources.h>
+#include <magnetostatics/ellipsoid_errors.h>
+#include <magnetostatics/exact_magnetostatics.h>
+#include <magnetostatics/sources.h>
 
 #include <cmath>
 

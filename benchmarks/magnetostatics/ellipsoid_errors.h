@@ -1,6 +1,6 @@
 #pragma once
 
-#include <benchmarks/accuracy_case.h>
+#include <magnetostatics/accuracy_case.h>
 
 namespace magmpm::benchmarks
 {
