@@ -1,0 +1,118 @@
+#include <magnetic_accuracy/case_list.h>
+
+#include <magnetostatics/cube_errors.h>
+#include <magnetostatics/ellipsoid_errors.h>
+#include <magnetostatics/pair_errors.h>
+#include <magnetostatics/sphere_errors.h>
+
+#include <algorithm>
+#include <memory>
+
+namespace magmpm::benchmarks
+{
+  namespace
+  {
+    using Resolutions = std::vector<CaseSeries::Resolution>;
+
+    const Resolutions three_resolutions = {{4., 8}, {8., 8}, {16., 2}};
+    const Resolutions eight             = {{8., 8}};
+
+    /** The exact solutions that all is measured by: spheres, spheroids, pairs of spheres. */
+    template <int dim>
+    void
+    add_convergence(const AccuracyCase &standard, std::vector<CaseSeries> &cases)
+    {
+      cases.push_back({"sphere", "", three_resolutions, standard, sphere_errors<dim>, true});
+      cases.push_back({"torque", "", three_resolutions, standard, torque_errors<dim>, true});
+      cases.push_back({"pair", "", three_resolutions, standard, pair_errors<dim>, true});
+      for (const double susceptibility : {0.91, 10.})
+        cases.push_back({"unequal",
+                         susceptibility == 10. ? "small one chi_0 = 10" : "",
+                         {{8., 4}, {16., 2}},
+                         standard,
+                         [=](const AccuracyCase &accuracy_case) {
+                           return unequal_pair_errors<dim>(accuracy_case, susceptibility);
+                         },
+                         true});
+    }
+
+    /** Other media and other boxes. */
+    template <int dim>
+    void
+    add_media(const AccuracyCase &standard, std::vector<CaseSeries> &cases)
+    {
+      cases.push_back({"box", "", {{32. / 3., 2}}, standard, box_errors<dim>});
+      for (const double argument : {3., 30.})
+        {
+          AccuracyCase langevin = standard;
+          langevin.argument     = argument;
+          cases.push_back(
+            {"langevin", argument == 3. ? "a = 3" : "a = 30", eight, langevin, sphere_errors<dim>});
+        }
+      for (const int cell_edge : {2, 1})
+        {
+          AccuracyCase permeable   = standard;
+          permeable.susceptibility = 10.;
+          permeable.cell_edge      = cell_edge;
+          cases.push_back({"chi10",
+                           cell_edge == 2 ? "cells 2 dx" : "cells dx",
+                           {{8., cell_edge == 2 ? 8u : 4u}},
+                           permeable,
+                           sphere_errors<dim>});
+        }
+      AccuracyCase stretched = standard;
+      stretched.stretch      = 1.5;
+      cases.push_back({"stretched", "", eight, stretched, sphere_errors<dim>});
+    }
+
+    /** Small features, corners, motion, a magnet close by. */
+    template <int dim>
+    void
+    add_features(const AccuracyCase &standard, std::vector<CaseSeries> &cases)
+    {
+      cases.push_back({"sheet", "", {{1., 8}}, standard, sheet_errors<dim>});
+      cases.push_back(
+        {"drops", "particle", {{dim == 3 ? 0.25 : 1. / 6., 8}}, standard, particle_errors<dim>});
+      cases.push_back(
+        {"drops", "", {{0.5, 8}, {1., 8}, {1.5, 8}, {2., 8}, {3., 8}}, standard, drop_errors<dim>});
+      AccuracyCase fine = standard;
+      fine.resolution   = (dim == 3 ? 32. : 96.);
+      fine.cell_edge    = 1;
+      const auto cube   = std::make_shared<CubeErrors<dim>>(fine);
+      cases.push_back({"cube",
+                       "",
+                       {{8., 4}, {16., 2}},
+                       standard,
+                       [cube](const AccuracyCase &accuracy_case) { return (*cube)(accuracy_case); },
+                       true});
+      cases.push_back({"translation", "", {{8., 2}}, standard, translation_errors<dim>});
+      cases.push_back({"magnet", "", {{8., 8}, {16., 2}}, standard, magnet_errors<dim>, true});
+    }
+  } // namespace
+
+  template <int dim>
+  std::vector<CaseSeries>
+  all_cases(const AccuracyCase &standard)
+  {
+    std::vector<CaseSeries> cases;
+    add_convergence<dim>(standard, cases);
+    add_media<dim>(standard, cases);
+    add_features<dim>(standard, cases);
+    return cases;
+  }
+
+  std::vector<std::string>
+  case_groups()
+  {
+    std::vector<std::string> groups;
+    for (const CaseSeries &series : all_cases<3>({}))
+      if (std::find(groups.begin(), groups.end(), series.group) == groups.end())
+        groups.push_back(series.group);
+    return groups;
+  }
+
+  template std::vector<CaseSeries>
+  all_cases<2>(const AccuracyCase &);
+  template std::vector<CaseSeries>
+  all_cases<3>(const AccuracyCase &);
+} // namespace magmpm::benchmarks

@@ -1,0 +1,87 @@
+#include <magnetostatics/accuracy_limits.h>
+
+#include <cmath>
+
+namespace magmpm::benchmarks
+{
+  namespace
+  {
+    constexpr double any = 0.; ///< resolution
+
+    struct Limit
+    {
+      int dim;
+      const char *group;
+      const char *variant;
+      double resolution;
+      const char *measure;
+      double value;
+    };
+
+    constexpr Limit limits[] = {
+      {3, "sphere", "", 8., "dipole moment", 6e-3},
+      {3, "sphere", "", 16., "dipole moment", 3.5e-3},
+      {3, "sphere", "", 8., "rms H inside 0.7 R", 5e-3},
+      {3, "sphere", "", 16., "rms H inside 0.7 R", 2.5e-3},
+      {3, "sphere", "", 8., "virial deviator", 1.2e-2},
+      {3, "sphere", "", 16., "virial deviator", 6e-3},
+      {3, "sphere", "", 8., "dipole force", 2e-2},
+      {3, "sphere", "", 16., "dipole force", 6e-3},
+      {3, "sphere", "", 8., "net force", 2e-4},
+      {3, "sphere", "", 16., "net force", 6e-5},
+      {3, "torque", "", 8., "torque", 2e-2},
+      {3, "torque", "", 16., "torque", 1e-2},
+      {3, "pair", "", 8., "third law", 2e-3},
+      {3, "pair", "", 16., "third law", 1e-3},
+      {3, "pair", "", 8., "pair force", 4e-2},
+      {3, "pair", "", 16., "pair force", 1e-2},
+      {3, "box", "", any, "dipole moment, box", 5e-4},
+      {3, "box", "", any, "dipole force, box", 5e-4},
+      {3, "langevin", "a = 3", 8., "dipole moment", 2e-3},
+      {3, "langevin", "a = 30", 8., "dipole moment", 2e-3},
+      {3, "chi10", "cells 2 dx", 8., "dipole moment", 4e-2},
+      {3, "chi10", "cells 2 dx", 8., "dipole force", 6e-2},
+      {3, "chi10", "cells dx", 8., "dipole moment", 5e-3},
+      {3, "chi10", "cells dx", 8., "dipole force", 2.5e-2},
+      {3, "drops", "particle", any, "dipole moment", 0.12},
+      {3, "drops", "", any, "dipole moment", 0.12},
+      {3, "translation", "", 8., "force noise", 4e-3},
+      {3, "translation", "", 8., "work", 1e-2},
+      {3, "magnet", "", 8., "force", 3e-2},
+      {2, "sphere", "", 8., "dipole moment", 9e-3},
+      {2, "sphere", "", 16., "dipole moment", 6e-3},
+      {2, "sphere", "", 8., "rms H inside 0.7 R", 1.2e-2},
+      {2, "sphere", "", 16., "rms H inside 0.7 R", 7e-3},
+      {2, "sphere", "", 8., "virial deviator", 1.4e-2},
+      {2, "sphere", "", 16., "virial deviator", 6e-3},
+      {2, "sphere", "", 8., "dipole force", 4e-2},
+      {2, "sphere", "", 16., "dipole force", 1.5e-2},
+      {2, "sphere", "", 8., "net force", 1e-3},
+      {2, "sphere", "", 16., "net force", 3e-4},
+      {2, "pair", "", 8., "third law", 3e-3},
+      {2, "pair", "", 16., "third law", 1e-3},
+      {2, "box", "", any, "dipole moment, box", 5e-4},
+      {2, "box", "", any, "dipole force, box", 5e-4},
+      {2, "drops", "particle", any, "dipole moment", 0.12},
+      {2, "drops", "", any, "dipole moment", 0.12},
+      {2, "translation", "", 8., "force noise", 4e-3},
+      {2, "translation", "", 8., "work", 1e-2},
+      {2, "magnet", "", 8., "force", 3e-2},
+    };
+  } // namespace
+
+  std::optional<double>
+  accuracy_limit(const int dim,
+                 const std::string &group,
+                 const std::string &variant,
+                 const double resolution,
+                 const std::string &measure)
+  {
+    for (const Limit &limit : limits)
+      if (limit.dim == dim && limit.group == group && limit.variant == variant &&
+          (limit.resolution == any || std::abs(limit.resolution - resolution) < 1e-9) &&
+          limit.measure == measure)
+        return limit.value;
+    return {};
+  }
+} // namespace magmpm::benchmarks

@@ -1,0 +1,239 @@
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/timer.h>
+
+#include <magmpm/particles/particle_grid_transfer.h>
+#include <magmpm/particles/particle_migration.h>
+
+#include <magnetostatics/magnetic_scene.h>
+
+#include <ostream>
+
+namespace magmpm::benchmarks
+{
+  namespace
+  {
+    constexpr double density = 1000.; ///< undeformed [kg/m^3]; no figure depends on it
+
+    std::unique_ptr<dealii::TimerOutput>
+    silent_timer()
+    {
+      static std::ostream silence(nullptr);
+      return std::make_unique<dealii::TimerOutput>(
+        silence, dealii::TimerOutput::never, dealii::TimerOutput::wall_times);
+    }
+
+    template <int dim>
+    BodyParameters<dim>
+    body_parameters()
+    {
+      BodyParameters<dim> parameters;
+      parameters.density = density;
+      return parameters;
+    }
+
+    MaterialParameters
+    elastic_material(const MagneticParameters &magnetic)
+    {
+      MaterialParameters material;
+      material.law           = MechanicalLaw::neo_hookean;
+      material.shear_modulus = 1e5;
+      material.lame_lambda   = 1e5;
+      material.magnetic      = magnetic;
+      return material;
+    }
+  } // namespace
+
+  template <int dim>
+  MagneticScene<dim>::MagneticScene(const MPI_Comm communicator,
+                                    const Lattice<dim> &lattice,
+                                    const MeshParameters<dim> &mesh_parameters,
+                                    const MagneticsParameters<dim> &magnetics)
+    : communicator(communicator)
+    , lattice(lattice)
+    , mesh(communicator, lattice, mesh_parameters)
+    , partition(mesh)
+    , timer(silent_timer())
+    , potential(mesh, partition, magnetics, *timer)
+  {
+  }
+
+  template <int dim>
+  MagneticScene<dim>::~MagneticScene() = default;
+
+  template <int dim>
+  void
+  MagneticScene<dim>::set_bodies(const std::vector<PointBody<dim>> &point_bodies)
+  {
+    bodies.clear();
+    for (const PointBody<dim> &point_body : point_bodies)
+      seed(point_body);
+    distribute_particles();
+  }
+
+  template <int dim>
+  void
+  MagneticScene<dim>::seed(const PointBody<dim> &point_body)
+  {
+    bodies.emplace_back(body_parameters<dim>(), elastic_material(point_body.magnetic));
+    ParticleSet<dim> &particles = bodies.back().particles;
+    const std::size_t rank      = dealii::Utilities::MPI::this_mpi_process(communicator);
+    const std::size_t n_ranks   = dealii::Utilities::MPI::n_mpi_processes(communicator);
+    const std::size_t n         = point_body.points.size();
+    const double volume         = point_body.volume / n / determinant(point_body.deformation);
+    for (std::size_t i = n * rank / n_ranks; i < n * (rank + 1) / n_ranks; ++i)
+      {
+        const std::size_t p = particles.size();
+        particles.resize(p + 1);
+        particles.ids()[p] = i;
+        for (int d = 0; d < dim; ++d)
+          particles.component(ParticleProperty::position, d)[p] = point_body.points[i][d];
+        for (int k = 0; k < dim * dim; ++k)
+          particles.component(ParticleProperty::deformation,
+                              k)[p] = point_body.deformation(k / dim, k % dim);
+        particles.component(ParticleProperty::volume, 0)[p] = volume;
+        particles.component(ParticleProperty::mass, 0)[p]   = density * volume;
+      }
+  }
+
+  template <int dim>
+  void
+  MagneticScene<dim>::distribute_particles()
+  {
+    const OccupiedBlocks<dim> occupied = occupied_blocks(bodies, lattice);
+    mesh.adapt(occupied.blocks, occupied.n_particles);
+
+    const BlockSet<dim> blocks(occupied.blocks, static_cast<int>(occupied.blocks.size()));
+    const std::vector<unsigned int> owners = mesh.owners(occupied.blocks);
+    for (Body<dim> &body : bodies)
+      {
+        std::vector<unsigned int> destination(body.particles.size());
+        for (std::size_t p = 0; p < destination.size(); ++p)
+          destination[p] =
+            owners[blocks.slot(block_of<dim>(lattice.base_node(body.particles.position(p))))];
+        migrate_particles(communicator, destination, body.particles);
+      }
+    partition.rebuild(occupied_blocks(bodies, lattice).blocks);
+    for (Body<dim> &body : bodies)
+      sort_into_blocks(partition.blocks(), lattice, body);
+  }
+
+  template <int dim>
+  SolveReport
+  MagneticScene<dim>::solve(const ExternalField<dim> &sources)
+  {
+    const SolveReport report  = potential.solve(magnetic_content(), sources);
+    const NodeField<dim> mass = node_mass();
+    node_force.reinit(partition.blocks().size());
+    potential.compute_force(mass, node_force);
+    hand_force_to_particles(mass);
+    medium = potential.material_samples();
+    return report;
+  }
+
+  template <int dim>
+  NodeField<dim>
+  MagneticScene<dim>::magnetic_content()
+  {
+    NodeField<dim> content;
+    content.reinit(partition.blocks().size());
+    magnetic_content_to_lattice(bodies, partition.blocks(), lattice, content);
+    partition.add_ghosts_to_owners(content);
+    partition.update_ghosts(content);
+    return content;
+  }
+
+  template <int dim>
+  NodeField<dim>
+  MagneticScene<dim>::node_mass()
+  {
+    NodeField<dim> mass;
+    mass.reinit(partition.blocks().size());
+    particles_to_lattice(bodies, partition.blocks(), lattice, 0., mass);
+    partition.add_ghosts_to_owners(mass);
+    partition.update_ghosts(mass);
+    return mass;
+  }
+
+  template <int dim>
+  void
+  MagneticScene<dim>::hand_force_to_particles(const NodeField<dim> &mass)
+  {
+    NodeField<dim> acceleration;
+    acceleration.reinit(partition.blocks().size());
+    for (int slot = 0; slot < partition.blocks().n_owned(); ++slot)
+      for (int n = 0; n < nodes_per_block<dim>; ++n)
+        if (mass.node(slot, n)[3] > 0.)
+          for (int d = 0; d < dim; ++d)
+            acceleration.node(slot, n)[d] = node_force.node(slot, n)[d] / mass.node(slot, n)[3];
+    partition.update_ghosts(acceleration);
+    interpolate_to_particles(
+      acceleration, partition.blocks(), lattice, ParticleProperty::magnetic_acceleration, bodies);
+  }
+
+  template <int dim>
+  Vector<dim>
+  MagneticScene<dim>::force() const
+  {
+    Vector<dim> sum;
+    for (int slot = 0; slot < partition.blocks().n_owned(); ++slot)
+      for (int n = 0; n < nodes_per_block<dim>; ++n)
+        for (int d = 0; d < dim; ++d)
+          sum[d] += node_force.node(slot, n)[d];
+    return sum_over_ranks(sum);
+  }
+
+  template <int dim>
+  template <typename Action>
+  void
+  MagneticScene<dim>::for_all_forces_of_particles(const std::size_t body,
+                                                  const Action &action) const
+  {
+    const ParticleSet<dim> &particles = bodies[body].particles;
+    const double *const mass          = particles.component(ParticleProperty::mass, 0);
+    for (std::size_t p = 0; p < particles.size(); ++p)
+      action(mass[p] * particles.vector(ParticleProperty::magnetic_acceleration, p),
+             particles.position(p));
+  }
+
+  template <int dim>
+  Vector<dim>
+  MagneticScene<dim>::force_on_body(const std::size_t body) const
+  {
+    Vector<dim> sum;
+    for_all_forces_of_particles(body, [&](const Vector<dim> &f, const Vector<dim> &) { sum += f; });
+    return sum_over_ranks(sum);
+  }
+
+  template <int dim>
+  Matrix<dim>
+  MagneticScene<dim>::virial(const Vector<dim> &centre) const
+  {
+    Matrix<dim> sum;
+    for (int slot = 0; slot < partition.blocks().n_owned(); ++slot)
+      for (int n = 0; n < nodes_per_block<dim>; ++n)
+        {
+          const Index<dim> node = node_of_block<dim>(partition.blocks().block(slot), n);
+          const Vector<dim> r   = lattice.node_position(node) - centre;
+          Vector<dim> f;
+          for (int d = 0; d < dim; ++d)
+            f[d] = node_force.node(slot, n)[d];
+          sum += outer(f, r);
+        }
+    return sum_over_ranks(sum);
+  }
+
+  template <int dim>
+  Matrix<dim>
+  MagneticScene<dim>::virial_of_particles(const Vector<dim> &centre) const
+  {
+    Matrix<dim> sum;
+    for (std::size_t body = 0; body < bodies.size(); ++body)
+      for_all_forces_of_particles(body, [&](const Vector<dim> &f, const Vector<dim> &x) {
+        sum += outer(f, x - centre);
+      });
+    return sum_over_ranks(sum);
+  }
+
+  template class MagneticScene<2>;
+  template class MagneticScene<3>;
+} // namespace magmpm::benchmarks

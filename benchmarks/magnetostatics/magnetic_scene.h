@@ -1,0 +1,140 @@
+#pragma once
+
+#include <magmpm/magnetics/potential_problem.h>
+#include <magmpm/magnets/external_field.h>
+#include <magmpm/mesh/background_mesh.h>
+#include <magmpm/mesh/block_partition.h>
+#include <magmpm/particles/body.h>
+#include <magmpm/particles/particle_sort.h>
+
+#include <mpi.h>
+
+#include <memory>
+#include <vector>
+
+namespace magmpm::benchmarks
+{
+  /** A magnetic body given by its particles. */
+  template <int dim>
+  struct PointBody
+  {
+    std::vector<Vector<dim>> points; ///< the same on all ranks [m]
+    double volume           = 0.;    ///< of the whole body as it is, in equal parts [m^dim]
+    Matrix<dim> deformation = identity<dim>(); ///< F of all particles
+    MagneticParameters magnetic;               ///< of the undeformed material
+  };
+
+  /**
+   * A scene at one instant: bodies and sources, through mesh, partition, P2G, the potential and the
+   * force, as a step of Simulation takes them, with no motion. All functions but the constructor's
+   * are collective, and their results are those of all ranks.
+   */
+  template <int dim>
+  class MagneticScene
+  {
+  public:
+    /** @param lattice  spacing and mechanical box. */
+    MagneticScene(const MPI_Comm communicator,
+                  const Lattice<dim> &lattice,
+                  const MeshParameters<dim> &mesh,
+                  const MagneticsParameters<dim> &magnetics);
+    ~MagneticScene();
+
+    /** Puts bodies in place of those before; mesh and partition follow. */
+    void
+    set_bodies(const std::vector<PointBody<dim>> &point_bodies);
+
+    /** Finds the potential and the force, on the nodes and carried by the particles. */
+    SolveReport
+    solve(const ExternalField<dim> &sources);
+
+    /** Sum of f_i [N]. */
+    Vector<dim>
+    force() const;
+
+    /** Sum of m_p a_p over a body's particles [N]. */
+    Vector<dim>
+    force_on_body(const std::size_t body) const;
+
+    /** S(a,b) = sum of f_a (x - centre)_b over the nodes [J]. */
+    Matrix<dim>
+    virial(const Vector<dim> &centre) const;
+
+    /** The same of the forces that the particles carry. */
+    Matrix<dim>
+    virial_of_particles(const Vector<dim> &centre) const;
+
+    /** The medium of this rank at the quadrature points. */
+    const std::vector<MaterialSample<dim>> &
+    samples() const
+    {
+      return medium;
+    }
+
+    /**
+     * The integral of f(sample) over the box.
+     *
+     * @tparam Value  of f: double, Vector<dim> or Matrix<dim>.
+     */
+    template <typename Value, typename Function>
+    Value
+    integral(const Function &f) const
+    {
+      Value sum = {};
+      for (const MaterialSample<dim> &sample : medium)
+        sum += sample.weight * f(sample);
+      return sum_over_ranks(sum);
+    }
+
+    /** Dipole moment, int M [A m^2]. */
+    Vector<dim>
+    moment() const
+    {
+      return integral<Vector<dim>>([](const auto &sample) { return sample.magnetization; });
+    }
+
+  private:
+    const MPI_Comm communicator;
+    const Lattice<dim> lattice;
+    BackgroundMesh<dim> mesh;
+    BlockPartition<dim> partition;
+    std::unique_ptr<dealii::TimerOutput> timer;
+    PotentialProblem<dim> potential;
+
+    std::vector<Body<dim>> bodies;
+    NodeField<dim> node_force;
+    std::vector<MaterialSample<dim>> medium;
+
+    void
+    seed(const PointBody<dim> &point_body);
+
+    void
+    distribute_particles();
+
+    NodeField<dim>
+    magnetic_content();
+
+    /** {momentum, mass}, ghosts updated. */
+    NodeField<dim>
+    node_mass();
+
+    /** Lets the particles carry the force, as accelerations. */
+    void
+    hand_force_to_particles(const NodeField<dim> &mass);
+
+    /** f_a (x - centre)_b over particles p with f = m a. */
+    template <typename Action>
+    void
+    for_all_forces_of_particles(const std::size_t body, const Action &action) const;
+
+    /** Values is made of doubles alone. */
+    template <typename Values>
+    Values
+    sum_over_ranks(Values values) const
+    {
+      MPI_Allreduce(
+        MPI_IN_PLACE, &values, sizeof(Values) / sizeof(double), MPI_DOUBLE, MPI_SUM, communicator);
+      return values;
+    }
+  };
+} // namespace magmpm::benchmarks
