@@ -2,7 +2,7 @@
 // includes them: others see declarations only, and the linker finds here what the compiled deal.II
 // has for its own lanes.
 
-// Of the kernels for degrees known at run time only those of the mapping (1) and of hanging nodes (2).
+// Of the kernels for degrees known at run time: those of the mapping (1) and hanging nodes (2).
 #define FE_EVAL_FACTORY_DEGREE_MAX 2
 
 #include <magmpm/magnetics/simd_lanes.h>
