@@ -1,8 +1,8 @@
-// deal.II's MatrixFree for the SIMD lanes of simd_lanes.h, from its templates. The one file that includes
-// them: others see declarations only, and the linker finds here what the compiled deal.II has for its
-// own lanes.
+// deal.II's MatrixFree for the SIMD lanes of simd_lanes.h, from its templates. The one file that
+// includes them: others see declarations only, and the linker finds here what the compiled deal.II
+// has for its own lanes.
 
-// The degrees of the kernels for run-time degrees, which only the mapping (1) and hanging nodes (2) use.
+// Of the kernels for degrees known at run time: those of the mapping (1) and hanging nodes (2).
 #define FE_EVAL_FACTORY_DEGREE_MAX 2
 
 #include <magmpm/magnetics/simd_lanes.h>

@@ -8,10 +8,10 @@
 #include <initializer_list>
 
 /**
- * Bits of the SIMD registers that the potential solver fills with cells: those of the processor that is
- * compiled for, if MAGMPM_WIDE_SIMD is on and deal.II, which was compiled for another one, brings no
- * VectorizedArray of that width; zero where deal.II's own is taken. One program must be compiled with one
- * value of it (the build folder's).
+ * Bits of the SIMD registers that the potential solver fills with cells: those of the processor
+ * that is compiled for, if MAGMPM_WIDE_SIMD is on and deal.II, which was compiled for another one,
+ * brings no VectorizedArray of that width; zero where deal.II's own is taken. One program must be
+ * compiled with one value of it (the build folder's).
  */
 #if defined(MAGMPM_WIDE_SIMD) && defined(__AVX512F__) && DEAL_II_VECTORIZATION_WIDTH_IN_BITS < 512
 #  define MAGMPM_SIMD_BITS 512
@@ -26,9 +26,9 @@
 namespace magmpm
 {
   /**
-   * What deal.II's VectorizedArray<Number, width> does, for a register of @p width numbers, in terms of the
-   * compiler's vector types. The names and meanings are those of deal.II's class, which calls them;
-   * see there.
+   * What deal.II's VectorizedArray<Number, width> does, for a register of @p width numbers, in
+   * terms of the compiler's vector types. The names and meanings are those of deal.II's class,
+   * which calls them; see there.
    */
   template <typename Number, std::size_t width>
   class SimdArray
@@ -172,8 +172,8 @@ namespace magmpm
   };
 } // namespace magmpm
 
-// Types of their own, with names that the compiled deal.II does not hold: its one-lane ones, which are the
-// default argument everywhere, stay what they are.
+// Types of their own, with names that the compiled deal.II does not hold: its one-lane ones, which
+// are the default argument everywhere, stay what they are.
 DEAL_II_NAMESPACE_OPEN
 #  define MAGMPM_SPECIALIZE(Number, width)                                         \
     template <>                                                                    \
