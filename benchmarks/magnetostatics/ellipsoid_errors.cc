@@ -87,6 +87,16 @@ namespace magmpm::benchmarks
         return {{s(1, 0) - s(0, 1)}};
     }
 
+    /** Of the number of grains in the medium at the quadrature points, which is that of the particles. */
+    template <int dim>
+    double
+    grain_error(const CaseScene<dim> &setup, const PointBody<dim> &body)
+    {
+      const double found = setup.scene.template integral<double>(
+        [](const MaterialSample<dim> &sample) { return sample.number_density; });
+      return found / (body.volume * body.magnetic.number_density) - 1.;
+    }
+
     /** Relative error of the moment of a body of a medium in a uniform field. */
     template <int dim>
     double
@@ -152,11 +162,10 @@ namespace magmpm::benchmarks
     const Ellipsoid<dim> drop(half_axes);
     const Vector<dim> field = outer_field * oblique_direction<dim>();
     CaseScene<dim> setup(accuracy_case, 16.);
-    return {{"dipole moment",
-             moment_error(setup,
-                          setup.body(drop.region(setup.centre), drop.volume()),
-                          field,
-                          drop.exact_magnetization(accuracy_case, field))}};
+    const PointBody<dim> body = setup.body(drop.region(setup.centre), drop.volume());
+    const double moment =
+      moment_error(setup, body, field, drop.exact_magnetization(accuracy_case, field));
+    return {{"dipole moment", moment}, {"number of grains", grain_error(setup, body)}};
   }
 
   template <int dim>
@@ -167,13 +176,10 @@ namespace magmpm::benchmarks
     CaseScene<dim> setup(accuracy_case, 16.);
     PointBody<dim> particle = setup.body(sphere_region(setup.centre, 0.), 1.);
     particle.volume         = std::pow(case_spacing / (dim == 3 ? 2. : 3.), dim);
-    return {
-      {"dipole moment",
-       moment_error(setup,
-                    particle,
-                    field,
-                    sphere_in_uniform_field(accuracy_case.law(), accuracy_case.content(), field)
-                      .magnetization)}};
+    const Vector<dim> exact =
+      sphere_in_uniform_field(accuracy_case.law(), accuracy_case.content(), field).magnetization;
+    const double moment = moment_error(setup, particle, field, exact);
+    return {{"dipole moment", moment}, {"number of grains", grain_error(setup, particle)}};
   }
 
 #define MAGMPM_INSTANTIATE(dim)                             \

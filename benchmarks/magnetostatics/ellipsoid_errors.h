@@ -23,12 +23,12 @@ namespace magmpm::benchmarks
   Errors
   sheet_errors(const AccuracyCase &accuracy_case);
 
-  /** A drop with a radius of the case's resolution: "dipole moment". */
+  /** A drop with a radius of the case's resolution: "dipole moment", "number of grains". */
   template <int dim>
   Errors
   drop_errors(const AccuracyCase &accuracy_case);
 
-  /** One particle, against a sphere of its volume: "dipole moment". */
+  /** One particle, against a sphere of its volume: "dipole moment", "number of grains". */
   template <int dim>
   Errors
   particle_errors(const AccuracyCase &accuracy_case);
