@@ -17,18 +17,22 @@ namespace magmpm::benchmarks
 
   /**
    * A thin sheet, an ellipsoid of 24 x 24 dx (2D: 24 dx) and a thickness of the case's resolution in dx,
-   * oblique to the lattice: "moment, field in the plane" and "moment, field across".
+   * oblique to the lattice: "moment, field in the plane" and "moment, field across", along
+   * the field.
    */
   template <int dim>
   Errors
   sheet_errors(const AccuracyCase &accuracy_case);
 
-  /** A drop with a radius of the case's resolution: "dipole moment", "number of grains". */
+  /**
+   * A drop with a radius of the case's resolution: "moment along H_0", "dipole moment" (all components),
+   * "number of grains".
+   */
   template <int dim>
   Errors
   drop_errors(const AccuracyCase &accuracy_case);
 
-  /** One particle, against a sphere of its volume: "dipole moment", "number of grains". */
+  /** One particle, against a sphere of its volume: errors as of a drop. */
   template <int dim>
   Errors
   particle_errors(const AccuracyCase &accuracy_case);
