@@ -9,7 +9,7 @@ namespace magmpm::benchmarks
    * 45 degrees to its long axis: "torque", sum (x - c) x f_i of the nodes against mu_0 V M x H_0, and
    * "dipole moment". Where M and H are parallel, M x H_0 is all in the antisymmetric part of the
    * stress h (x) (h + M), so that this tests which of its indices meets grad N_i. "torque, particles":
-   * of the force that particles carry, which does not see the half of it inside the body.
+   * of the force that particles carry.
    */
   template <int dim>
   Errors
