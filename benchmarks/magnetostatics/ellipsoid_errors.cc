@@ -87,7 +87,10 @@ namespace magmpm::benchmarks
         return {{s(1, 0) - s(0, 1)}};
     }
 
-    /** Of the number of grains in the medium at the quadrature points, which is that of the particles. */
+    /**
+     * Of the number of grains in the medium at the quadrature points, which is that of the
+     * particles.
+     */
     template <int dim>
     double
     grain_error(const CaseScene<dim> &setup, const PointBody<dim> &body)
@@ -97,7 +100,10 @@ namespace magmpm::benchmarks
       return found / (body.volume * body.magnetic.number_density) - 1.;
     }
 
-    /** The moment of a body in a uniform field: relative error, and that of its part along the exact. */
+    /**
+     * The moment of a body in a uniform field: relative error, and that of its part along the
+     * exact.
+     */
     struct MomentError
     {
       double all;
