@@ -8,8 +8,8 @@ namespace magmpm::benchmarks
    * A sphere (2D: a cylinder) in a uniform field:
    * - "dipole moment";
    * - "rms H inside 0.7 R", and "mean H inside 0.7 R";
-   * - "virial deviator", along the field, of sum f_i (x - c) over the nodes: the test of the surface
-   *   traction; "virial deviator, particles" of the force that particles carry;
+   * - "virial deviator", along the field, of sum f_i (x - c) over the nodes: the test of the
+   *   surface traction; "virial deviator, particles" of the force that particles carry;
    * - "virial trace";
    * - "net force", sum f_i over mu_0 M^2 V/R.
    */

@@ -43,8 +43,8 @@ namespace
 } // namespace
 
 // Moment, inner field, surface traction (deviator of the virial), force near a dipole and net force
-// of a sphere of radius 8 dx, chi_0 = 0.91. Their exact values are known; the limits are those of the
-// benchmark magnetic_accuracy.
+// of a sphere of radius 8 dx, chi_0 = 0.91. Their exact values are known; the limits are those
+// of the benchmark magnetic_accuracy.
 TEMPLATE_TEST_CASE_SIG("A magnetized sphere is as accurate as promised",
                        "[benchmarks][mpi]",
                        ((int dim), dim),
