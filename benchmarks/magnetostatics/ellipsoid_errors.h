@@ -8,9 +8,8 @@ namespace magmpm::benchmarks
    * A prolate spheroid (2D: an ellipse) of axes 2:1 and the volume of a sphere of radius R, a
    * field at 45 degrees to its long axis: "torque", sum (x - c) x f_i of the nodes against
    * mu_0 V M x H_0, and "dipole moment". Where M and H are parallel, M x H_0 is all in the
-   * antisymmetric
-   * part of the stress h (x) (h + M), so that this tests which of its indices meets grad N_i.
-   * "torque, particles": of the force that particles carry.
+   * antisymmetric part of the stress h (x) (h + M), so that this tests which of its indices meets
+   * grad N_i. "torque, particles": of the force that particles carry.
    */
   template <int dim>
   Errors
