@@ -175,10 +175,11 @@ namespace magmpm
                             " particles left the box through a wall and were removed");
     state.lost_particles += n_lost;
 
-    const OccupiedBlocks<dim> occupied = occupied_blocks(bodies, parameters.lattice);
+    const bool has_force               = (magnetics != nullptr);
+    const OccupiedBlocks<dim> occupied = occupied_blocks(bodies, parameters.lattice, has_force);
     mesh.adapt(occupied.blocks, occupied.n_particles);
     migrate_to_owners(occupied);
-    partition.rebuild(occupied_blocks(bodies, parameters.lattice).blocks);
+    partition.rebuild(occupied_blocks(bodies, parameters.lattice, has_force).blocks);
     for (Body<dim> &body : bodies)
       sort_into_blocks(partition.blocks(), parameters.lattice, body);
     lattice_field.reinit(partition.blocks().size());
@@ -238,14 +239,17 @@ namespace magmpm
   Simulation<dim>::solve_magnetics()
   {
     dealii::TimerOutput::Scope timed(*timer, "Solve potential");
-    transfer_to_lattice(0.); // the masses of the nodes
-    partition.update_ghosts(lattice_field);
-
     solve_potential(magnetic_content());
-    NodeField<dim> force;
+
+    // Only magnetic particles carry the force, so nodes give it to the mass of these alone.
+    NodeField<dim> mass, force;
+    mass.reinit(partition.blocks().size());
     force.reinit(partition.blocks().size());
-    state.dropped_magnetic_force = norm(magnetics->compute_force(lattice_field, force));
-    forces_to_accelerations(force);
+    magnetic_mass_to_lattice(bodies, partition.blocks(), parameters.lattice, mass);
+    partition.add_ghosts_to_owners(mass);
+    partition.update_ghosts(mass);
+    state.dropped_magnetic_force = norm(magnetics->compute_force(mass, force));
+    forces_to_accelerations(mass, force);
     partition.update_ghosts(force);
     interpolate_to_particles(force,
                              partition.blocks(),
@@ -296,13 +300,14 @@ namespace magmpm
 
   template <int dim>
   void
-  Simulation<dim>::forces_to_accelerations(NodeField<dim> &force) const
+  Simulation<dim>::forces_to_accelerations(const NodeField<dim> &masses,
+                                           NodeField<dim> &force) const
   {
     for (int slot = 0; slot < partition.blocks().n_owned(); ++slot)
       for (int n = 0; n < nodes_per_block<dim>; ++n)
         {
           double *node      = force.node(slot, n);
-          const double mass = lattice_field.node(slot, n)[3];
+          const double mass = masses.node(slot, n)[3];
           for (int d = 0; d < dim; ++d)
             node[d] = (mass > 0. ? node[d] / mass : 0.);
         }

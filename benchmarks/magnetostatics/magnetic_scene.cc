@@ -99,7 +99,7 @@ namespace magmpm::benchmarks
   void
   MagneticScene<dim>::distribute_particles()
   {
-    const OccupiedBlocks<dim> occupied = occupied_blocks(bodies, lattice);
+    const OccupiedBlocks<dim> occupied = occupied_blocks(bodies, lattice, true);
     mesh.adapt(occupied.blocks, occupied.n_particles);
 
     const BlockSet<dim> blocks(occupied.blocks, static_cast<int>(occupied.blocks.size()));
@@ -112,7 +112,7 @@ namespace magmpm::benchmarks
             owners[blocks.slot(block_of<dim>(lattice.base_node(body.particles.position(p))))];
         migrate_particles(communicator, destination, body.particles);
       }
-    partition.rebuild(occupied_blocks(bodies, lattice).blocks);
+    partition.rebuild(occupied_blocks(bodies, lattice, true).blocks);
     for (Body<dim> &body : bodies)
       sort_into_blocks(partition.blocks(), lattice, body);
   }

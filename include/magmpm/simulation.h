@@ -74,7 +74,7 @@ namespace magmpm
 
     /** Accelerations of the nodes [m/s^2] from forces [N] and masses, in place. */
     void
-    forces_to_accelerations(NodeField<dim> &force) const;
+    forces_to_accelerations(const NodeField<dim> &masses, NodeField<dim> &force) const;
 
     /** P2G of momentum and mass, summed over the ranks. */
     void

@@ -87,7 +87,7 @@ namespace magmpm
       static Tensor
       mean_at(const int point, const std::array<const Tensor *, power(2, dim)> &children)
       {
-        Tensor sum;
+        Tensor sum, inverse_sum;
         double total = 0.;
         for (int part = 0; part < power(2, dim); ++part)
           {
@@ -100,11 +100,13 @@ namespace magmpm
                 point_of_child += power(n_points_1d, d) * (fine % n_points_1d);
                 weight *= CellStencil<dim>::weights_1d[fine % n_points_1d];
               }
-            sum += weight * (children[child] == nullptr ? dealii::unit_symmetric_tensor<dim>()
-                                                        : children[child][point_of_child]);
+            const Tensor tensor = children[child] == nullptr ? dealii::unit_symmetric_tensor<dim>()
+                                                             : children[child][point_of_child];
+            sum += weight * tensor;
+            inverse_sum += weight * invert(tensor);
             total += weight;
           }
-        return sum / total;
+        return 0.5 * (sum / total + total * invert(inverse_sum));
       }
 
       /** Gives other ranks the tensors of this level on their level ghosts. Collective. */
@@ -245,7 +247,7 @@ namespace magmpm
         parameters[level].preconditioner      = operators[level].get_matrix_diagonal_inverse();
         parameters[level].degree              = 4;
         parameters[level].smoothing_range     = 15.;
-        parameters[level].eig_cg_n_iterations = 10;
+        parameters[level].eig_cg_n_iterations = 20;
       }
     // On the root cells Chebyshev is a solver: all of the spectrum, to a relative accuracy of 1e-3.
     parameters[0].degree              = dealii::numbers::invalid_unsigned_int;

@@ -214,6 +214,16 @@ namespace magmpm
         }
     }
 
+    /** Adds the same lanes to all nodes of a stencil, weighted. */
+    template <int dim>
+    void
+    scatter(const Stencil<dim> &stencil, const Lanes &value, double *arena)
+    {
+      for_each_node<dim>(stencil, [&](const int place, const double weight, int, int, int) {
+        store_lanes(load_lanes(arena + place) + weight * value, arena + place);
+      });
+    }
+
     template <int dim, typename Law>
     void
     scatter_content(const Run<dim> &run,
@@ -231,11 +241,7 @@ namespace magmpm
           Lanes value = content;
           value[0]    = law.volume_ratio(load_state<dim, Law>(run.particles, p));
           value *= per_cell * run.particles.volume[p];
-          for_each_node<dim>(run.stencils.at(run.particles, p),
-                             [&](const int place, const double weight, int, int, int) {
-                               store_lanes(load_lanes(arena + place) + weight * value,
-                                           arena + place);
-                             });
+          scatter(run.stencils.at(run.particles, p), value, arena);
         }
     }
 
@@ -382,6 +388,30 @@ namespace magmpm
 
   template <int dim>
   void
+  magnetic_mass_to_lattice(std::vector<Body<dim>> &bodies,
+                           const BlockSet<dim> &blocks,
+                           const Lattice<dim> &lattice,
+                           NodeField<dim> &mass)
+  {
+    Arena<dim> arena;
+    mass.set_zero();
+    for_each_run(
+      bodies,
+      blocks,
+      lattice,
+      true,
+      [&](const int) { arena.set_zero(); },
+      [&](const std::size_t, const Run<dim> &run) {
+        for (std::size_t p = run.begin; p < run.end; ++p)
+          scatter(run.stencils.at(run.particles, p),
+                  Lanes{0., 0., 0., run.particles.mass[p]},
+                  arena.data());
+      },
+      [&](const int slot) { arena.add_to(mass, blocks, slot); });
+  }
+
+  template <int dim>
+  void
   interpolate_to_particles(const NodeField<dim> &field,
                            const BlockSet<dim> &blocks,
                            const Lattice<dim> &lattice,
@@ -416,6 +446,8 @@ namespace magmpm
                                                                    double,                    \
                                                                    std::vector<Body<dim>> &); \
   template void magnetic_content_to_lattice<dim>(                                             \
+    std::vector<Body<dim>> &, const BlockSet<dim> &, const Lattice<dim> &, NodeField<dim> &); \
+  template void magnetic_mass_to_lattice<dim>(                                                \
     std::vector<Body<dim>> &, const BlockSet<dim> &, const Lattice<dim> &, NodeField<dim> &); \
   template void interpolate_to_particles<dim>(const NodeField<dim> &,                         \
                                               const BlockSet<dim> &,                          \

@@ -8,16 +8,30 @@ namespace magmpm
 {
   template <int dim>
   OccupiedBlocks<dim>
-  occupied_blocks(const std::vector<Body<dim>> &bodies, const Lattice<dim> &lattice)
+  occupied_blocks(const std::vector<Body<dim>> &bodies,
+                  const Lattice<dim> &lattice,
+                  const bool with_force_margin)
   {
     std::unordered_map<std::uint64_t, unsigned int> counts;
     OccupiedBlocks<dim> occupied;
+    const auto count = [&](const Index<dim> &node, const unsigned int n_particles) {
+      const Index<dim> block     = block_of<dim>(node);
+      const auto [entry, is_new] = counts.emplace(block_key<dim>(block), 0);
+      entry->second += n_particles;
+      if (is_new)
+        occupied.blocks.push_back(block);
+    };
     for (const Body<dim> &body : bodies)
       for (std::size_t p = 0; p < body.particles.size(); ++p)
         {
-          const Index<dim> block = block_of<dim>(lattice.base_node(body.particles.position(p)));
-          if (counts[block_key<dim>(block)]++ == 0)
-            occupied.blocks.push_back(block);
+          Index<dim> node = lattice.base_node(body.particles.position(p));
+          count(node, 1);
+          if (with_force_margin && body.magnetic.is_magnetic())
+            {
+              for (int &coordinate : node)
+                ++coordinate;
+              count(node, 0);
+            }
         }
     std::sort(occupied.blocks.begin(), occupied.blocks.end());
     for (const Index<dim> &block : occupied.blocks)
@@ -79,8 +93,8 @@ namespace magmpm
   }
 
 #define INSTANTIATE(dim)                                                                    \
-  template OccupiedBlocks<dim> occupied_blocks(const std::vector<Body<dim>> &,              \
-                                               const Lattice<dim> &);                       \
+  template OccupiedBlocks<dim> occupied_blocks(                                             \
+    const std::vector<Body<dim>> &, const Lattice<dim> &, const bool);                      \
   template void sort_into_blocks(const BlockSet<dim> &, const Lattice<dim> &, Body<dim> &); \
   template std::size_t remove_lost_particles(const Lattice<dim> &, Body<dim> &);
 

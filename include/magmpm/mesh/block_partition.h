@@ -29,7 +29,8 @@ namespace magmpm
     /**
      * Finds the active blocks anew. Collective.
      *
-     * @param occupied  blocks with particles of this rank; this rank must own them.
+     * @param occupied  blocks around which all are to be active, whoever owns them: those with
+     *                  particles of this rank, which this rank must own, and others.
      */
     void
     rebuild(const std::vector<Index<dim>> &occupied);

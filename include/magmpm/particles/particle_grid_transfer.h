@@ -65,6 +65,14 @@ namespace magmpm
                               const Lattice<dim> &lattice,
                               NodeField<dim> &content);
 
+  /** The mass of magnetic particles alone, in lane 3 [kg]: what magnetic force acts on. */
+  template <int dim>
+  void
+  magnetic_mass_to_lattice(std::vector<Body<dim>> &bodies,
+                           const BlockSet<dim> &blocks,
+                           const Lattice<dim> &lattice,
+                           NodeField<dim> &mass);
+
   /** What a quantity of the nodes becomes on magnetic particles. */
   template <int dim>
   void

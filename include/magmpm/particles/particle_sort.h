@@ -15,10 +15,20 @@ namespace magmpm
     std::vector<unsigned int> n_particles;
   };
 
-  /** The blocks of the base nodes of this rank's particles. */
+  /**
+   * The blocks of the base nodes of this rank's particles.
+   *
+   * @param with_force_margin  also, with no particles of their own, the blocks one node further up in
+   *                           all directions from magnetic particles. A base node has mass up to two
+   *                           nodes above it, magnetic force is handed in from two more, and the
+   *                           B-spline of the last of these reaches one cell further: with the blocks
+   *                           around all of these active, every such node sees all its cells.
+   */
   template <int dim>
   OccupiedBlocks<dim>
-  occupied_blocks(const std::vector<Body<dim>> &bodies, const Lattice<dim> &lattice);
+  occupied_blocks(const std::vector<Body<dim>> &bodies,
+                  const Lattice<dim> &lattice,
+                  const bool with_force_margin = false);
 
   /**
    * Brings the particles of a body into the order of the blocks' slots, within a block into that of
