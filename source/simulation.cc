@@ -4,6 +4,7 @@
 
 #include <magmpm/boundary/momentum_update.h>
 #include <magmpm/magnetics/potential_problem.h>
+#include <magmpm/particles/carried_force.h>
 #include <magmpm/particles/particle_migration.h>
 #include <magmpm/particles/particle_sort.h>
 #include <magmpm/particles/seeding.h>
@@ -220,7 +221,9 @@ namespace magmpm
       return true;
     if (trigger.trigger == Trigger::every_n_steps)
       return state.step % trigger.n_steps == 0;
-    const double tolerated = trigger.moved_fraction * parameters.lattice.spacing;
+    // After the first solve the rate of the force is not known yet: the second one comes soon.
+    const double tolerated = (state.n_solves == 1 ? 0.1 : 1.) * trigger.moved_fraction *
+                             parameters.lattice.spacing;
     // The sum of the steps is cheap to have and never too short; vibrations make it too long.
     if (drift_since_solve > tolerated)
       {
@@ -251,11 +254,7 @@ namespace magmpm
     state.dropped_magnetic_force = norm(magnetics->compute_force(mass, force));
     forces_to_accelerations(mass, force);
     partition.update_ghosts(force);
-    interpolate_to_particles(force,
-                             partition.blocks(),
-                             parameters.lattice,
-                             ParticleProperty::magnetic_acceleration,
-                             bodies);
+    carry_force(force);
     magnetics->compute_field(force);
     interpolate_to_particles(
       force, partition.blocks(), parameters.lattice, ParticleProperty::magnetic_field, bodies);
@@ -276,6 +275,23 @@ namespace magmpm
     state.solved_this_step   = true;
     state.step_of_last_solve = state.step;
     ++state.n_solves;
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::carry_force(const NodeField<dim> &accelerations)
+  {
+    const double elapsed = state.time - time_of_last_solve;
+    for (Body<dim> &body : bodies)
+      recall_carried_force(elapsed, body);
+    interpolate_to_particles(accelerations,
+                             partition.blocks(),
+                             parameters.lattice,
+                             ParticleProperty::magnetic_acceleration,
+                             bodies);
+    for (Body<dim> &body : bodies)
+      set_rate_of_carried_force(elapsed, body);
+    time_of_last_solve = state.time;
   }
 
   template <int dim>

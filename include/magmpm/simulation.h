@@ -76,6 +76,10 @@ namespace magmpm
     void
     forces_to_accelerations(const NodeField<dim> &masses, NodeField<dim> &force) const;
 
+    /** Gives particles the accelerations of the nodes [m/s^2], and their rate since the last solve. */
+    void
+    carry_force(const NodeField<dim> &accelerations);
+
     /** P2G of momentum and mass, summed over the ranks. */
     void
     transfer_to_lattice(const double time_step);
@@ -119,6 +123,7 @@ namespace magmpm
     RunState state;
     StepConditions step_conditions;
     double typical_particle_mass    = 0.; ///< [kg]
+    double time_of_last_solve       = 0.; ///< [s]
     unsigned int mesh_of_last_solve = 0;  ///< its revision
     double drift_since_sort         = 0.; ///< the longest way a particle can have gone [m]
     double drift_since_solve        = 0.; ///< the same of magnetic particles, or more [m]

@@ -24,9 +24,9 @@ namespace magmpm
 
     /**
      * I + dM/dH at the points of the cells of all levels. A point of a cell with children stands for two
-     * of the six points of its children along each axis, and has their weighted mean: surfaces stay
-     * where they are on all levels, which one mean for all points of a cell would blur. Cells without an
-     * entry are vacuum.
+     * of the six points of its children along each axis, and has half their arithmetic and half their
+     * harmonic mean, weighted: surfaces stay where they are on all levels, which one mean for all points
+     * of a cell would blur. Cells without an entry are vacuum.
      */
     template <int dim>
     class LevelPermeability
@@ -245,9 +245,9 @@ namespace magmpm
         set_jacobian(implementation->space, jacobian.boundary, permeability, operators[level]);
         operators[level].compute_diagonal();
         parameters[level].preconditioner      = operators[level].get_matrix_diagonal_inverse();
-        parameters[level].degree              = 4;
+        parameters[level].degree              = 5;
         parameters[level].smoothing_range     = 15.;
-        parameters[level].eig_cg_n_iterations = 20;
+        parameters[level].eig_cg_n_iterations = 10;
       }
     // On the root cells Chebyshev is a solver: all of the spectrum, to a relative accuracy of 1e-3.
     parameters[0].degree              = dealii::numbers::invalid_unsigned_int;

@@ -12,6 +12,7 @@ namespace magmpm
                        1,
                        is_magnetic ? dim : 0,
                        is_magnetic ? dim : 0,
+                       is_magnetic ? dim : 0,
                        is_magnetic ? dim : 0}
   {
     int n = 0;
@@ -50,6 +51,7 @@ namespace magmpm
       assign(ParticleProperty::mass, &arrays.mass);
       assign(ParticleProperty::volume, &arrays.volume);
       assign(ParticleProperty::magnetic_acceleration, arrays.magnetic_acceleration);
+      assign(ParticleProperty::magnetic_acceleration_rate, arrays.magnetic_acceleration_rate);
       assign(ParticleProperty::magnetic_field, arrays.magnetic_field);
       return arrays;
     }

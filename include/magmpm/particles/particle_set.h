@@ -19,11 +19,12 @@ namespace magmpm
     mass,
     volume, ///< undeformed
     magnetic_acceleration,
-    magnetic_field,   ///< H at the last solve
-    position_at_solve ///< of the potential
+    magnetic_acceleration_rate, ///< see carried_force.h
+    magnetic_field,             ///< H at the last solve
+    position_at_solve           ///< of the potential
   };
 
-  inline constexpr int n_particle_properties = 9;
+  inline constexpr int n_particle_properties = 10;
 
   /** Name and unit of each quantity, in the order of ParticleProperty. */
   struct ParticlePropertyInfo
@@ -40,6 +41,7 @@ namespace magmpm
       {"mass", "kg"},
       {"volume", "m^3"},
       {"magnetic acceleration", "m/s^2"},
+      {"magnetic acceleration rate", "m/s^3"},
       {"magnetic field", "A/m"},
       {"position at solve", "m"}}};
 
@@ -57,8 +59,9 @@ namespace magmpm
     Number *deformation[dim * dim]; ///< only the first one if the deformation is J
     Number *mass;
     Number *volume;
-    Number *magnetic_acceleration[dim]; ///< null without magnetic material
-    Number *magnetic_field[dim];        ///< null without magnetic material
+    Number *magnetic_acceleration[dim];      ///< null without magnetic material
+    Number *magnetic_acceleration_rate[dim]; ///< null without magnetic material
+    Number *magnetic_field[dim];             ///< null without magnetic material
   };
 
   /**

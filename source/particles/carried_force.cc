@@ -1,0 +1,57 @@
+#include <magmpm/particles/carried_force.h>
+
+namespace magmpm
+{
+  namespace
+  {
+    /** Of |a|: the largest change that is carried on over a time as long as the last one. */
+    constexpr double largest_change = 0.5;
+  } // namespace
+
+  template <int dim>
+  void
+  recall_carried_force(const double elapsed, Body<dim> &body)
+  {
+    if (!body.magnetic.is_magnetic())
+      return;
+    ParticleSet<dim> &particles = body.particles;
+    for (int d = 0; d < dim; ++d)
+      {
+        const double *a = particles.component(ParticleProperty::magnetic_acceleration, d);
+        double *rate    = particles.component(ParticleProperty::magnetic_acceleration_rate, d);
+        for (std::size_t p = 0; p < particles.size(); ++p)
+          rate[p] = a[p] - elapsed * rate[p];
+      }
+  }
+
+  template <int dim>
+  void
+  set_rate_of_carried_force(const double elapsed, Body<dim> &body)
+  {
+    if (!body.magnetic.is_magnetic())
+      return;
+    ParticleSet<dim> &particles = body.particles;
+    for (std::size_t p = 0; p < particles.size(); ++p)
+      {
+        const Vector<dim> now    = particles.vector(ParticleProperty::magnetic_acceleration, p);
+        const Vector<dim> before = particles.vector(ParticleProperty::magnetic_acceleration_rate,
+                                                    p);
+        const Vector<dim> change = now - before;
+        const double allowed     = largest_change * norm(now);
+        double factor            = elapsed > 0. ? 1. / elapsed : 0.;
+        if (norm(change) > allowed)
+          factor *= allowed / norm(change);
+        for (int d = 0; d < dim; ++d)
+          particles.component(ParticleProperty::magnetic_acceleration_rate, d)[p] = factor *
+                                                                                    change[d];
+      }
+  }
+
+#define INSTANTIATE(dim)                                              \
+  template void recall_carried_force<dim>(const double, Body<dim> &); \
+  template void set_rate_of_carried_force<dim>(const double, Body<dim> &);
+
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace magmpm
