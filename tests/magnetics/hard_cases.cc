@@ -200,7 +200,7 @@ TEMPLATE_TEST_CASE_SIG("Strong fields saturate", "[magnetics][mpi]", ((int dim),
 // convex, so Newton's method converges. Worst is what saturates outside, where the tangent says little, and
 // is far from it inside: chi_0 = 1000 at a = 100 takes 10 or 11 steps, all others take less.
 TEMPLATE_TEST_CASE_SIG("Newton's method takes few steps at any susceptibility",
-                       "[magnetics][mpi]",
+                       "[magnetics]",
                        ((int dim), dim),
                        2,
                        3)
@@ -317,7 +317,7 @@ TEMPLATE_TEST_CASE_SIG("A single particle is a drop", "[magnetics]", ((int dim),
       CHECK(std::sqrt(square) < (cell_edge == 1 ? 0.05 : dim == 2 ? 0.18 : 0.14));
       CHECK(largest < (cell_edge == 1 ? 0.1 : 0.45));
       CHECK(std::abs(mean) < 0.08);
-      CHECK(lost < 1e-3);
+      CHECK(lost < 3e-3);
     }
 }
 
@@ -447,7 +447,7 @@ TEMPLATE_TEST_CASE_SIG("Magnets may be driven through material",
       scene.set_bodies(
         {box<dim>(lattice_point<dim>(6., 6.), lattice_point<dim>(18., 18.), grains(10.))}, 3);
       int most_steps = 0, most_iterations = 0;
-      for (double z = 1.; z < 24.; z += (dim == 2 ? 0.7 : 2.9))
+      for (double z = 1.; z < 24.; z += (dim == 2 ? 1.1 : 3.7))
         {
           const Vector<dim> centre = lattice_point<dim>(12.3, z);
           SourceParameters<dim> magnet =
