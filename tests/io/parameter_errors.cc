@@ -1,5 +1,5 @@
-// The wording of the messages on wrong parameter files. Each one says where the fault is, which value
-// is wrong, what is allowed and, where it is not plain, what to do; a user sees nothing else.
+// The wording of the messages on wrong parameter files. Each one says where the fault is, which
+// value is wrong, what is allowed and, where it is not plain, what to do; a user sees nothing else.
 
 #include "../catch.h"
 
@@ -254,8 +254,9 @@ TEST_CASE("Messages on materials", "[io]")
         "Materials/clay/Initial susceptibility is not given: a magnetic material needs it.");
 }
 
-// Grains of absurd properties would give a medium of no, infinite or negative susceptibility, which the
-// potential problem has no solution for: they are refused with parameter, value and what is allowed.
+// Grains of absurd properties would give a medium of no, infinite or negative susceptibility, which
+// the potential problem has no solution for: they are refused with parameter, value and what is
+// allowed.
 TEST_CASE("Messages on absurd grains", "[io]")
 {
   for (const std::string value : {"0", "-300", "1e-300", "nan", "inf", "20000"})

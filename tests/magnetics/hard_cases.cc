@@ -103,8 +103,9 @@ namespace
   }
 } // namespace
 
-// A magnet without magnetization is no field: potential, energy, force and field are exactly zero and
-// no Newton step is taken, with both laws and also after a solve with field. 0/0 is what could go wrong.
+// A magnet without magnetization is no field: potential, energy, force and field are exactly zero
+// and no Newton step is taken, with both laws and also after a solve with field. 0/0 is what could
+// go wrong.
 TEMPLATE_TEST_CASE_SIG("Where there is no field nothing happens",
                        "[magnetics][mpi]",
                        ((int dim), dim),
@@ -131,8 +132,9 @@ TEMPLATE_TEST_CASE_SIG("Where there is no field nothing happens",
     }
 }
 
-// Half way between two equal magnets with opposite moments the field is zero, and by symmetry so are H,
-// the moment and the force there. The point is a quadrature point, where the laws are taken at H = 0.
+// Half way between two equal magnets with opposite moments the field is zero, and by symmetry so
+// are H, the moment and the force there. The point is a quadrature point, where the laws are taken
+// at H = 0.
 TEMPLATE_TEST_CASE_SIG("The field may be zero at a point",
                        "[magnetics][mpi]",
                        ((int dim), dim),
@@ -171,8 +173,8 @@ TEMPLATE_TEST_CASE_SIG("The field may be zero at a point",
   CHECK(norm(force.total) < 1e-3 * force.absolute);
 }
 
-// Far into saturation, a = mu_0 m H/(k_B T) up to 1e4, the moment of a sphere is M_s V L(a) with H from
-// H + M/dim = H_0: 1 - L is 1/a there, so the moment is within 0.3 % of M_s V, and no larger.
+// Far into saturation, a = mu_0 m H/(k_B T) up to 1e4, the moment of a sphere is M_s V L(a) with H
+// from H + M/dim = H_0: 1 - L is 1/a there, so the moment is within 0.3 % of M_s V, and no larger.
 TEMPLATE_TEST_CASE_SIG("Strong fields saturate", "[magnetics][mpi]", ((int dim), dim), 2, 3)
 {
   for (const double chi : {0.91, 10.})
@@ -196,9 +198,10 @@ TEMPLATE_TEST_CASE_SIG("Strong fields saturate", "[magnetics][mpi]", ((int dim),
       }
 }
 
-// Susceptibilities up to 1000 in weak to strong outer fields, from zero potential: the energy is strictly
-// convex, so Newton's method converges. Worst is what saturates outside, where the tangent says little, and
-// is far from it inside: chi_0 = 1000 at a = 100 takes 10 or 11 steps, all others take less.
+// Susceptibilities up to 1000 in weak to strong outer fields, from zero potential: the energy is
+// strictly convex, so Newton's method converges. Worst is what saturates outside, where the tangent
+// says little, and is far from it inside: chi_0 = 1000 at a = 100 takes 10 or 11 steps, all others
+// take less.
 TEMPLATE_TEST_CASE_SIG("Newton's method takes few steps at any susceptibility",
                        "[magnetics]",
                        ((int dim), dim),
@@ -223,7 +226,8 @@ TEMPLATE_TEST_CASE_SIG("Newton's method takes few steps at any susceptibility",
       }
 }
 
-// A scene whose bodies are gone, or never came, has a potential of zero; the next body is none the worse.
+// A scene whose bodies are gone, or never came, has a potential of zero; the next body is none the
+// worse.
 TEMPLATE_TEST_CASE_SIG("There may be no material", "[magnetics][mpi]", ((int dim), dim), 2, 3)
 {
   Scene<dim> scene(16, spacing, 2., {});
@@ -241,9 +245,10 @@ TEMPLATE_TEST_CASE_SIG("There may be no material", "[magnetics][mpi]", ((int dim
     }
 }
 
-// Material from wall to wall between shields is material without end, in which H = H_0/(1 + chi_0) along
-// every axis. In open space it is a cube, whose mean demagnetizing factor is 1/dim by symmetry: at a small
-// susceptibility its moment is chi_0/(1 + chi_0/dim) H_0 V up to order chi_0^2.
+// Material from wall to wall between shields is material without end, in which H = H_0/(1 + chi_0)
+// along every axis. In open space it is a cube, whose mean demagnetizing factor is 1/dim by
+// symmetry: at a small susceptibility its moment is chi_0/(1 + chi_0/dim) H_0 V up to order
+// chi_0^2.
 TEMPLATE_TEST_CASE_SIG("Material may fill the whole box",
                        "[magnetics][mpi]",
                        ((int dim), dim),
@@ -273,9 +278,10 @@ TEMPLATE_TEST_CASE_SIG("Material may fill the whole box",
     }
 }
 
-// A single particle is a drop of its volume, wherever in the cells it is, although its width is a fraction of
-// a cell: its moment is that of a ball of this volume, chi_0/(1 + chi_0/dim) H_0 V, with an error over places
-// in the cell of 16 % (2D) and 12 % (3D) rms; 4 % with cells of dx. Its volume is kept.
+// A single particle is a drop of its volume, wherever in the cells it is, although its width is a
+// fraction of a cell: its moment is that of a ball of this volume, chi_0/(1 + chi_0/dim) H_0 V,
+// with an error over places in the cell of 16 % (2D) and 12 % (3D) rms; 4 % with cells of dx. Its
+// volume is kept.
 TEMPLATE_TEST_CASE_SIG("A single particle is a drop", "[magnetics]", ((int dim), dim), 2, 3)
 {
   const double chi    = 0.91;
@@ -321,9 +327,9 @@ TEMPLATE_TEST_CASE_SIG("A single particle is a drop", "[magnetics]", ((int dim),
     }
 }
 
-// A particle at a node, at the middle of a cell or at another quadrature point: the gradient that gives the
-// normal of the surface vanishes at the particle. Where the mesh is symmetric about it the moment is along the
-// field; everywhere on the diagonal it is the same along all axes.
+// A particle at a node, at the middle of a cell or at another quadrature point: the gradient that
+// gives the normal of the surface vanishes at the particle. Where the mesh is symmetric about it
+// the moment is along the field; everywhere on the diagonal it is the same along all axes.
 TEMPLATE_TEST_CASE_SIG("A particle may be at a node or a quadrature point",
                        "[magnetics][mpi]",
                        ((int dim), dim),
@@ -354,8 +360,9 @@ TEMPLATE_TEST_CASE_SIG("A particle may be at a node or a quadrature point",
     }
 }
 
-// A spray of particles several dx apart hardly interacts: together they have the moment that many drops
-// have, to the accuracy of one on average and the neighbours' fields of the order of their volume fraction.
+// A spray of particles several dx apart hardly interacts: together they have the moment that many
+// drops have, to the accuracy of one on average and the neighbours' fields of the order of their
+// volume fraction.
 TEMPLATE_TEST_CASE_SIG("A spray is many drops", "[magnetics][mpi]", ((int dim), dim), 2, 3)
 {
   const double chi    = 0.91;
@@ -388,9 +395,10 @@ TEMPLATE_TEST_CASE_SIG("A spray is many drops", "[magnetics][mpi]", ((int dim), 
   CHECK(report.newton.steps <= 5);
 }
 
-// Two bodies that approach, touch and overlap along the field, in steps of dx/4: their moment rises, slowly at a
-// small susceptibility and steeply at a large one, where flux fills the gap. It nowhere falls by more than
-// 2 % nor jumps: the indicator knows of no bodies, so nothing happens when it takes two for one.
+// Two bodies that approach, touch and overlap along the field, in steps of dx/4: their moment
+// rises, slowly at a small susceptibility and steeply at a large one, where flux fills the gap. It
+// nowhere falls by more than 2 % nor jumps: the indicator knows of no bodies, so nothing happens
+// when it takes two for one.
 TEMPLATE_TEST_CASE_SIG("Bodies that touch make no jump", "[magnetics]", ((int dim), dim), 2, 3)
 {
   for (const double chi : {0.91, 10.})
@@ -433,8 +441,8 @@ TEMPLATE_TEST_CASE_SIG("Bodies that touch make no jump", "[magnetics]", ((int di
     }
 }
 
-// A magnet that is driven through material converges everywhere. A solid one has no material inside; one
-// without a surface has it inside, too, where its field jumps.
+// A magnet that is driven through material converges everywhere. A solid one has no material
+// inside; one without a surface has it inside, too, where its field jumps.
 TEMPLATE_TEST_CASE_SIG("Magnets may be driven through material",
                        "[magnetics][mpi]",
                        ((int dim), dim),
@@ -477,10 +485,10 @@ TEMPLATE_TEST_CASE_SIG("Magnets may be driven through material",
     }
 }
 
-// The surface of a solid magnet passes over quadrature points, clear of a block and 1 dx deep in it: the force
-// on the block grows in every step towards it, without spikes. These show in second differences over steps
-// of dx/8, which are (dx/8)^2 F'' of a smooth force, a few 1e-3 of it. Points go in and out of the magnet one
-// by one, so inside the block they are ten times as large.
+// The surface of a solid magnet passes over quadrature points, clear of a block and 1 dx deep in
+// it: the force on the block grows in every step towards it, without spikes. These show in second
+// differences over steps of dx/8, which are (dx/8)^2 F'' of a smooth force, a few 1e-3 of it.
+// Points go in and out of the magnet one by one, so inside the block they are ten times as large.
 TEST_CASE("The force is smooth while a magnet's surface crosses a cell", "[magnetics]")
 {
   constexpr int dim = 2;

@@ -1,5 +1,5 @@
-// What magnetism does to bodies that move and deform, against mechanics that knows nothing of the lattice:
-// mean stress, angular momentum, work, momentum.
+// What magnetism does to bodies that move and deform, against mechanics that knows nothing of the
+// lattice: mean stress, angular momentum, work, momentum.
 
 #include "catch.h"
 #include "program/scene.h"
@@ -144,10 +144,10 @@ subsection Output
 
 TEST_CASE("A magnetized sphere stretches along the field", "[program]")
 {
-  // A sphere (disc in 2D) of radius 10 dx that is free in a uniform field carries the traction mu_0 M_n^2/2
-  // and no other force. The mean stress is int x (x) t/V, so the mean strains along and across the field
-  // differ by mu_0 M^2/(10 mu) (8 mu in 2D), M its magnetization. It vibrates about that: a mean over time
-  // with the weight 1 - cos over some periods removes the vibration.
+  // A sphere (disc in 2D) of radius 10 dx that is free in a uniform field carries the traction mu_0
+  // M_n^2/2 and no other force. The mean stress is int x (x) t/V, so the mean strains along and
+  // across the field differ by mu_0 M^2/(10 mu) (8 mu in 2D), M its magnetization. It vibrates
+  // about that: a mean over time with the weight 1 - cos over some periods removes the vibration.
   for (const int dim : {2, 3})
     {
       const std::string name      = "stretch-" + std::to_string(dim) + "d";
@@ -192,9 +192,10 @@ TEST_CASE("A magnetized sphere stretches along the field", "[program]")
 
 TEST_CASE("A rod turns by the torque of the field", "[program]")
 {
-  // Angular momentum of a free body in a uniform field is the time integral of its torque mu_0 m x H_0, m
-  // its moment, for a body of any shape. When the field is switched off it is kept. The torque comes from
-  // the antisymmetric part of the force's stress, the moment from the magnetization: they share nothing.
+  // Angular momentum of a free body in a uniform field is the time integral of its torque mu_0 m x
+  // H_0, m its moment, for a body of any shape. When the field is switched off it is kept. The
+  // torque comes from the antisymmetric part of the force's stress, the moment from the
+  // magnetization: they share nothing.
   for (const int dim : {2, 3})
     {
       const std::string field = "if(t < 0.01, 7e4, 0)";
@@ -247,9 +248,10 @@ TEST_CASE("A rod turns by the torque of the field", "[program]")
 
 TEST_CASE("A moved magnet does the work that the energies gain", "[program]")
 {
-  // A magnet passes below a block on the wall. Its energy depends on where the one is from the other, so
-  // the work on the moved magnet, against the force of the block, is that of the block's force over the way
-  // of the magnet; magnetic, elastic and kinetic energy gain it. Solved in every step.
+  // A magnet passes below a block on the wall. Its energy depends on where the one is from the
+  // other, so the work on the moved magnet, against the force of the block, is that of the block's
+  // force over the way of the magnet; magnetic, elastic and kinetic energy gain it. Solved in every
+  // step.
   const Statistics statistics = statistics_of(
     floating_body("work",
                   2,
@@ -282,9 +284,10 @@ TEST_CASE("A moved magnet does the work that the energies gain", "[program]")
 
 TEST_CASE("A body floats in a uniform field", "[program]")
 {
-  // The field pulls a body apart but not away: its momentum stays zero over 1000 steps. It is compared
-  // with what each half of the body hands to the other, mu_0 M^2/2 over its cross-section for that time.
-  // The lattice around the body cuts off the far end of the field's stress, a few 1e-5 of it.
+  // The field pulls a body apart but not away: its momentum stays zero over 1000 steps. It is
+  // compared with what each half of the body hands to the other, mu_0 M^2/2 over its cross-section
+  // for that time. The lattice around the body cuts off the far end of the field's stress, a few
+  // 1e-5 of it.
   for (const int dim : {2, 3})
     {
       const Statistics statistics = statistics_of(
@@ -321,9 +324,10 @@ TEST_CASE("A body floats in a uniform field", "[program]")
 
 TEST_CASE("Between solves the force lags behind by no more than the trigger allows", "[program]")
 {
-  // A cube that falls to a magnet, solved in every step and by default, after a way of 0.1 dx. Between solves
-  // particles keep their force: it is that of a position at most this way (and a step) back, which the run
-  // with all solves tells. With dx = 1/32 m this is 9 % of the force; half of the solves are saved.
+  // A cube that falls to a magnet, solved in every step and by default, after a way of 0.1 dx.
+  // Between solves particles keep their force: it is that of a position at most this way (and a
+  // step) back, which the run with all solves tells. With dx = 1/32 m this is 9 % of the force;
+  // half of the solves are saved.
   const std::string scene = std::string(MAGMPM_SOURCE_DIR) +
                             "/parameter_files/cube_nonlinear.prm --set Output/Particles=false "
                             "--set Output/Fields=false --set \"Box/Cell size=0.03125\" "
@@ -368,8 +372,9 @@ TEST_CASE("Between solves the force lags behind by no more than the trigger allo
 
 TEST_CASE("Cells of dx and the smeared indicator act", "[program]")
 {
-  // The moment of a linear disc in a uniform field is chi/(1 + chi/2) H_0 V. The smeared indicator makes it
-  // too large by about 0.35 dx/R, the sharp one hardly; cells of dx take more unknowns than those of 2 dx.
+  // The moment of a linear disc in a uniform field is chi/(1 + chi/2) H_0 V. The smeared indicator
+  // makes it too large by about 0.35 dx/R, the sharp one hardly; cells of dx take more unknowns
+  // than those of 2 dx.
   const std::string scene = floating_body("choices",
                                           2,
                                           "    set Shape  = sphere\n    set Radius = 0.06\n"
