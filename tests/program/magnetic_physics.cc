@@ -110,7 +110,7 @@ subsection Output
   }
 
   /**
-   * Mean of du/dx along an axis over a convex body of particles on a regular lattice, by Gauss' theorem:
+   * Mean of du/dx along an axis over a convex body of particles on a regular lattice, by Gauss:
    * along each row the difference of the displacements of its ends, which are extrapolated from the
    * particles by half of their distance.
    */
