@@ -352,7 +352,7 @@ namespace magmpm
         input.temperature,
         "K",
         "Of the grains; it relates their moment and number density to M_s and chi_0.",
-        positive);
+        {1., 1e4});
       declarations.add(
         "Material indicator",
         magnetics.indicator,

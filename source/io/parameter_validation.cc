@@ -14,6 +14,9 @@ namespace magmpm
   {
     constexpr const char *axis_names = "xyz";
 
+    /** No medium of grains comes near; what does is a slip in a unit. */
+    constexpr double max_susceptibility = 1e6;
+
     /** Block coordinates are packed into 21 bits each. */
     constexpr double max_cells = 1e6;
 
@@ -169,6 +172,28 @@ namespace magmpm
       material.viscosity    = input.viscosity;
     }
 
+    /** That what a user gave makes a medium that can be computed; @p given is named if not. */
+    MagneticParameters
+    checked(const ParameterRegister &declarations,
+            const std::string &given,
+            const MagneticParameters &magnetic)
+    {
+      const double chi = magnetic.initial_susceptibility;
+      if (!(chi > 0. && chi <= max_susceptibility))
+        throw declarations.error(given,
+                                 "it gives the material the initial susceptibility " +
+                                   to_text(chi) + ", which must be above 0 and at most " +
+                                   to_text(max_susceptibility) + ". Are the units right?");
+      if (!std::isfinite(magnetic.saturation_magnetization) ||
+          !std::isfinite(magnetic.number_density))
+        throw declarations.error(given,
+                                 "it gives the material the saturation magnetization " +
+                                   to_text(magnetic.saturation_magnetization) + " A/m with " +
+                                   to_text(magnetic.number_density) +
+                                   " grains per m^3, which must be finite. Are the units right?");
+      return magnetic;
+    }
+
     /** Saturation and susceptibility, or grains: at most one of these ways, and all of it. */
     MagneticParameters
     convert_magnetic(const ParameterRegister &declarations,
@@ -190,8 +215,10 @@ namespace magmpm
                                        saturation[0] + " and " + saturation[1] + ", or " +
                                        grains[0] + " and " + grains[1] + ".");
           check_given(declarations, section, grains, {}, "the other one of this pair");
-          return magnetic_parameters_of_grains(
-            input.grain_moment, input.grain_number_density, temperature);
+          return checked(declarations,
+                         section + "/" + grains[0],
+                         magnetic_parameters_of_grains(
+                           input.grain_moment, input.grain_number_density, temperature));
         }
       if (given.empty())
         return {};
@@ -199,8 +226,10 @@ namespace magmpm
       if (law == MagnetizationLaw::langevin)
         check_given(declarations, section, saturation, {}, "Magnetization law = Langevin");
       check_given(declarations, section, {saturation[1]}, {}, "a magnetic material");
-      return magnetic_parameters_of_saturation(
-        input.saturation_magnetization, input.initial_susceptibility, temperature);
+      return checked(declarations,
+                     section + "/" + saturation[1],
+                     magnetic_parameters_of_saturation(
+                       input.saturation_magnetization, input.initial_susceptibility, temperature));
     }
 
     template <int dim>

@@ -1,5 +1,5 @@
-// The wording of the messages on wrong parameter files. Each one says where the fault is, which value
-// is wrong, what is allowed and, where it is not plain, what to do; a user sees nothing else.
+// The wording of the messages on wrong parameter files. Each one says where the fault is, which
+// value is wrong, what is allowed and, where it is not plain, what to do; a user sees nothing else.
 
 #include "../catch.h"
 
@@ -252,6 +252,61 @@ TEST_CASE("Messages on materials", "[io]")
   CHECK(message_with("Materials/clay/Initial susceptibility=",
                      {"Magnetics/Magnetization law=linear"}) ==
         "Materials/clay/Initial susceptibility is not given: a magnetic material needs it.");
+}
+
+// Grains of absurd properties would give a medium of no, infinite or negative susceptibility, which
+// the potential problem has no solution for: they are refused with parameter, value and what is
+// allowed.
+TEST_CASE("Messages on absurd grains", "[io]")
+{
+  for (const std::string value : {"0", "-300", "1e-300", "nan", "inf", "20000"})
+    CHECK(message_with("Magnetics/Temperature=" + value) ==
+          "Magnetics/Temperature = " + value +
+            ": must be a number from 1 to 10000 [K]. (Of the grains; it relates their moment and "
+            "number density to M_s and chi_0.)");
+
+  const std::vector<std::string> grains = {"Materials/clay/Saturation magnetization=",
+                                           "Materials/clay/Initial susceptibility="};
+  const auto message_with_grains = [&](const std::string &moment, const std::string &density) {
+    std::vector<std::string> others = grains;
+    others.push_back("Materials/clay/Grain number density=" + density);
+    return message_with("Materials/clay/Grain moment=" + moment, others);
+  };
+  CHECK(message_with_grains("1.09e-19", "7.55e23") == "");
+  for (const std::string value : {"0", "-1e-19", "nan"})
+    CHECK(message_with_grains(value, "7.55e23") ==
+          "Materials/clay/Grain moment = " + value +
+            ": must be a number > 0 [A m^2]. (Magnetic moment m of one grain, together with the "
+            "grain number density, instead of M_s = n m and chi_0 = mu_0 n m^2/(3 k_B T).)");
+  for (const std::string value : {"0", "-7e23", "nan"})
+    CHECK(message_with_grains("1.09e-19", value)
+            .find("Materials/clay/Grain number density = " + value +
+                  ": must be a number > 0 [1/m^3].") != std::string::npos);
+  CHECK(message_with_grains("1", "7.55e23") ==
+        "Materials/clay/Grain moment = 1: it gives the material the initial susceptibility "
+        "7.63539e+37, which must be above 0 and at most 1e+06. Are the units right?");
+  CHECK(message_with_grains("1e-300", "7.55e23") ==
+        "Materials/clay/Grain moment = 1e-300: it gives the material the initial susceptibility 0, "
+        "which must be above 0 and at most 1e+06. Are the units right?");
+  CHECK(message_with("Materials/clay/Initial susceptibility=1e7") ==
+        "Materials/clay/Initial susceptibility = 1e7: it gives the material the initial "
+        "susceptibility 1e+07, which must be above 0 and at most 1e+06. Are the units right?");
+  CHECK(message_with("Materials/clay/Initial susceptibility=1e-300",
+                     {"Materials/clay/Saturation magnetization=1e300"}) ==
+        "Materials/clay/Initial susceptibility = 1e-300: it gives the material the saturation "
+        "magnetization 1e+300 A/m with inf grains per m^3, which must be finite. Are the units "
+        "right?");
+}
+
+// The box of the potential holds the mechanical box, or material would lie outside of it.
+TEST_CASE("Messages on the box of the potential", "[io]")
+{
+  for (const std::string value : {"0.99", "0", "-2"})
+    CHECK(message_with("Magnetics/Potential box factor=" + value) ==
+          "Magnetics/Potential box factor = " + value +
+            ": must be a number >= 1. (Edge of the box of the potential over that of the "
+            "mechanical box, at least, where its faces are open.)");
+  CHECK(message_with("Magnetics/Potential box factor=1") == "");
 }
 
 TEST_CASE("Messages on magnets", "[io]")

@@ -30,40 +30,6 @@ namespace
     point[dim - 1] = spacing * z;
     return point;
   }
-
-  template <int dim>
-  struct Force
-  {
-    Vector<dim> total, dropped;
-    double absolute = 0.; ///< sum over the nodes of |f_i|
-
-    Vector<n_axial_components<dim>> torque; ///< about @p centre
-  };
-
-  template <int dim>
-  Force<dim>
-  force_on_nodes(const Scene<dim> &scene, const Vector<dim> &centre)
-  {
-    Force<dim> result;
-    NodeField<dim> force;
-    result.dropped = scene.problem.compute_force(scene.mass, force);
-    scene.for_owned_nodes([&](const int slot, const int node, const Vector<dim> &x) {
-      Vector<dim> f;
-      std::copy_n(force.node(slot, node), dim, f.values);
-      result.total += f;
-      result.torque += cross(x - centre, f);
-      result.absolute += norm(f);
-    });
-    const auto sum = [](double &value) {
-      value = dealii::Utilities::MPI::sum(value, MPI_COMM_WORLD);
-    };
-    for (double &component : result.total.values)
-      sum(component);
-    for (double &component : result.torque.values)
-      sum(component);
-    sum(result.absolute);
-    return result;
-  }
 } // namespace
 
 // A body in a uniform field is pulled apart but not away: the net force is zero. What is left is the

@@ -56,6 +56,15 @@ namespace magmpm::test
     return body;
   }
 
+  /** A particle: its volume counts, whatever its distance to others. */
+  template <int dim>
+  struct TestParticle
+  {
+    Vector<dim> position; ///< [m]
+    double volume;        ///< over that of a lattice cell [-]
+    MagneticContent material;
+  };
+
   /**
    * Bodies on a mesh without particles: node fields as P2G would make them of very many particles,
    * by sampling the bodies on a regular grid of points.
@@ -87,6 +96,10 @@ namespace magmpm::test
     /** Puts bodies in place of those before; mesh, partition and node fields follow. Collective. */
     void
     set_bodies(const std::vector<TestBody<dim>> &bodies, const int samples_per_cell_edge = 5);
+
+    /** The same with single particles. Collective; all ranks give the same. */
+    void
+    set_particles(const std::vector<TestParticle<dim>> &particles);
 
     const Lattice<dim> lattice;
     BackgroundMesh<dim> mesh;
@@ -153,28 +166,44 @@ namespace magmpm::test
       return parameters;
     }
 
-    struct Sample
+    /** Blocks with particles and the particles in each. */
+    struct Samples
     {
-      Vector<dim> position;
-      MagneticContent material;
+      std::vector<Index<dim>> blocks;
+      std::unordered_map<std::uint64_t, std::vector<TestParticle<dim>>> of_block;
+
+      void
+      add(const Lattice<dim> &lattice, const TestParticle<dim> &particle);
     };
 
-    std::unordered_map<std::uint64_t, std::vector<Sample>>
-    sample(const std::vector<TestBody<dim>> &bodies,
-           const int per_edge,
-           std::vector<Index<dim>> &blocks) const;
+    Samples
+    sample(const std::vector<TestBody<dim>> &bodies, const int per_edge) const;
 
     void
-    scatter(const Sample &sample, const double volume);
+    set_samples(const Samples &samples);
+
+    void
+    scatter(const TestParticle<dim> &sample);
   };
 
   template <int dim>
-  std::unordered_map<std::uint64_t, std::vector<typename Scene<dim>::Sample>>
-  Scene<dim>::sample(const std::vector<TestBody<dim>> &bodies,
-                     const int per_edge,
-                     std::vector<Index<dim>> &blocks) const
+  void
+  Scene<dim>::Samples::add(const Lattice<dim> &lattice, const TestParticle<dim> &particle)
   {
-    std::unordered_map<std::uint64_t, std::vector<Sample>> samples;
+    Index<dim> cell;
+    for (int d = 0; d < dim; ++d)
+      cell[d] = static_cast<int>(std::floor(particle.position[d] / lattice.spacing));
+    auto &list = of_block[block_key<dim>(block_of<dim>(cell))];
+    if (list.empty())
+      blocks.push_back(block_of<dim>(cell));
+    list.push_back(particle);
+  }
+
+  template <int dim>
+  typename Scene<dim>::Samples
+  Scene<dim>::sample(const std::vector<TestBody<dim>> &bodies, const int per_edge) const
+  {
+    Samples samples;
     const double distance = lattice.spacing / per_edge;
     for (const TestBody<dim> &body : bodies)
       {
@@ -188,20 +217,11 @@ namespace magmpm::test
           }
         for (int i = 0; i < total; ++i)
           {
-            Sample sample = {{}, body.material};
-            Index<dim> cell;
+            TestParticle<dim> sample = {{}, std::pow(1. / per_edge, dim), body.material};
             for (int d = 0, rest = i; d < dim; ++d, rest /= n[d - 1])
-              {
-                const int place    = first[d] + rest % n[d];
-                sample.position[d] = (place + 0.5) * distance;
-                cell[d] = static_cast<int>(std::floor(sample.position[d] / lattice.spacing));
-              }
-            if (!body.contains(sample.position))
-              continue;
-            auto &list = samples[block_key<dim>(block_of<dim>(cell))];
-            if (list.empty())
-              blocks.push_back(block_of<dim>(cell));
-            list.push_back(sample);
+              sample.position[d] = (first[d] + rest % n[d] + 0.5) * distance;
+            if (body.contains(sample.position))
+              samples.add(lattice, sample);
           }
       }
     return samples;
@@ -211,9 +231,25 @@ namespace magmpm::test
   void
   Scene<dim>::set_bodies(const std::vector<TestBody<dim>> &bodies, const int per_edge)
   {
+    set_samples(sample(bodies, per_edge));
+  }
+
+  template <int dim>
+  void
+  Scene<dim>::set_particles(const std::vector<TestParticle<dim>> &particles)
+  {
+    Samples samples;
+    for (const TestParticle<dim> &particle : particles)
+      samples.add(lattice, particle);
+    set_samples(samples);
+  }
+
+  template <int dim>
+  void
+  Scene<dim>::set_samples(const Samples &samples)
+  {
     // Every rank knows all samples, tells the mesh of its share, and scatters those it owns.
-    std::vector<Index<dim>> blocks;
-    const auto samples         = sample(bodies, per_edge, blocks);
+    const std::vector<Index<dim>> &blocks = samples.blocks;
     const unsigned int rank    = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
     const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
     std::vector<Index<dim>> share;
@@ -231,8 +267,8 @@ namespace magmpm::test
     content.reinit(partition.blocks().size());
     mass.reinit(partition.blocks().size());
     for (const Index<dim> &block : occupied)
-      for (const Sample &sample : samples.at(block_key<dim>(block)))
-        scatter(sample, std::pow(1. / per_edge, dim));
+      for (const TestParticle<dim> &sample : samples.of_block.at(block_key<dim>(block)))
+        scatter(sample);
     partition.add_ghosts_to_owners(content);
     partition.update_ghosts(content);
     partition.add_ghosts_to_owners(mass);
@@ -241,7 +277,7 @@ namespace magmpm::test
 
   template <int dim>
   void
-  Scene<dim>::scatter(const Sample &sample, const double volume)
+  Scene<dim>::scatter(const TestParticle<dim> &sample)
   {
     const BlockSet<dim> &blocks = partition.blocks();
     const Index<dim> base       = lattice.base_node(sample.position);
@@ -252,7 +288,7 @@ namespace magmpm::test
 
     for (int i = 0; i < power(stencil_width, dim); ++i)
       {
-        double weight = volume;
+        double weight = sample.volume;
         Index<dim> node;
         for (int d = 0, rest = i; d < dim; ++d, rest /= stencil_width)
           {
@@ -298,6 +334,41 @@ namespace magmpm::test
         text += (d == 0 ? "" : "; ") + std::string(number);
       }
     return text;
+  }
+
+  /** What the magnetic force does to the nodes of all ranks. */
+  template <int dim>
+  struct Force
+  {
+    Vector<dim> total, dropped;
+    double absolute = 0.; ///< sum over the nodes of |f_i|
+
+    Vector<n_axial_components<dim>> torque; ///< about @p centre
+  };
+
+  template <int dim>
+  Force<dim>
+  force_on_nodes(const Scene<dim> &scene, const Vector<dim> &centre)
+  {
+    Force<dim> result;
+    NodeField<dim> force;
+    result.dropped = scene.problem.compute_force(scene.mass, force);
+    scene.for_owned_nodes([&](const int slot, const int node, const Vector<dim> &x) {
+      Vector<dim> f;
+      std::copy_n(force.node(slot, node), dim, f.values);
+      result.total += f;
+      result.torque += cross(x - centre, f);
+      result.absolute += norm(f);
+    });
+    const auto sum = [](double &value) {
+      value = dealii::Utilities::MPI::sum(value, MPI_COMM_WORLD);
+    };
+    for (double &component : result.total.values)
+      sum(component);
+    for (double &component : result.torque.values)
+      sum(component);
+    sum(result.absolute);
+    return result;
   }
 
   template <int dim>
