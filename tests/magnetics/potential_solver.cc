@@ -114,12 +114,13 @@ TEST_CASE("A kept preconditioner does not keep the Jacobian", "[magnetics][mpi]"
     }
 }
 
-// Multigrid needs a number of iterations that hardly depends on the susceptibility. The limits are
-// what the three needed on such a sphere with a material that was smeared over 2 dx, and some more.
+// Multigrid needs a number of iterations that hardly depends on the susceptibility. With the sharp surface
+// these are, from 1 to 1000, 6 to 13 of geometric multigrid, 16 to 25 of ML and 19 to 30 of MueLu; a medium
+// smeared over 2 dx takes a third less at 1000.
 TEST_CASE("CG takes few iterations up to a susceptibility of 1000", "[magnetics][mpi]")
 {
   const double susceptibilities[] = {1., 10., 100., 1000.};
-  const int limits[3][4]          = {{8, 8, 10, 14}, {20, 20, 22, 26}, {25, 25, 25, 25}};
+  const int limits[3][4]          = {{8, 8, 10, 14}, {20, 20, 22, 26}, {25, 25, 25, 30}};
   for (int p = 0; p < 3; ++p)
     {
       const Preconditioner preconditioner = all_preconditioners[p];
