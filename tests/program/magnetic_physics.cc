@@ -326,8 +326,8 @@ TEST_CASE("Between solves the force lags behind by no more than the trigger allo
 {
   // A cube that falls to a magnet, solved in every step and by default, after a way of 0.1 dx.
   // Between solves particles keep their force: it is that of a position at most this way (and a
-  // step) back, which the run with all solves tells. With dx = 1/32 m this is 9 % of the force;
-  // half of the solves are saved.
+  // step) back, which the run with all solves tells. With dx = 1/32 m this is 6 % of the force;
+  // two thirds of the solves are saved.
   const std::string scene = std::string(MAGMPM_SOURCE_DIR) +
                             "/parameter_files/cube_nonlinear.prm --set Output/Particles=false "
                             "--set Output/Fields=false --set \"Box/Cell size=0.03125\" "
