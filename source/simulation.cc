@@ -109,6 +109,7 @@ namespace magmpm
     state.solved_this_step = false;
 
     external_field.set_time(state.time);
+    advance_force();
     if (solve_is_due())
       solve_magnetics();              // Eqs. (25)-(33)
     transfer_to_lattice(step.length); // Eq. (28)
@@ -279,19 +280,34 @@ namespace magmpm
 
   template <int dim>
   void
+  Simulation<dim>::advance_force()
+  {
+    if (magnetics == nullptr || state.n_solves == 0)
+      return;
+    // A source that changes in strength by all of itself counts as one that moves by dx.
+    const auto change = external_field.change_since_remembered();
+    const double way  = path_since_solve + change.displacement +
+                       change.relative_strength * parameters.lattice.spacing;
+    for (Body<dim> &body : bodies)
+      advance_carried_force(way - carried_way, body);
+    carried_way = way;
+  }
+
+  template <int dim>
+  void
   Simulation<dim>::carry_force(const NodeField<dim> &accelerations)
   {
-    const double elapsed = state.time - time_of_last_solve;
     for (Body<dim> &body : bodies)
-      recall_carried_force(elapsed, body);
+      recall_carried_force(carried_way, body);
     interpolate_to_particles(accelerations,
                              partition.blocks(),
                              parameters.lattice,
                              ParticleProperty::magnetic_acceleration,
                              bodies);
     for (Body<dim> &body : bodies)
-      set_rate_of_carried_force(elapsed, body);
-    time_of_last_solve = state.time;
+      set_rate_of_carried_force(carried_way, body);
+    carried_way      = 0.;
+    path_since_solve = 0.;
   }
 
   template <int dim>
@@ -380,6 +396,7 @@ namespace magmpm
       }
     drift_since_sort += state.time_step * speed;
     drift_since_solve += state.time_step * speed;
+    path_since_solve += state.time_step * speed;
     state.max_speed = speed;
     check_for_runaways(bodies, extremes, parameters.runaway_limits, state, communicator);
     update_step_conditions(extremes);

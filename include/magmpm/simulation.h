@@ -76,7 +76,11 @@ namespace magmpm
     void
     forces_to_accelerations(const NodeField<dim> &masses, NodeField<dim> &force) const;
 
-    /** Gives particles the accelerations of the nodes [m/s^2], and their rate since the last solve. */
+    /** Lets the force that particles carry follow the motion since the last solve. */
+    void
+    advance_force();
+
+    /** Gives particles the accelerations of the nodes [m/s^2], and their rate of change. */
     void
     carry_force(const NodeField<dim> &accelerations);
 
@@ -123,9 +127,10 @@ namespace magmpm
     RunState state;
     StepConditions step_conditions;
     double typical_particle_mass    = 0.; ///< [kg]
-    double time_of_last_solve       = 0.; ///< [s]
     unsigned int mesh_of_last_solve = 0;  ///< its revision
     double drift_since_sort         = 0.; ///< the longest way a particle can have gone [m]
     double drift_since_solve        = 0.; ///< the same of magnetic particles, or more [m]
+    double path_since_solve         = 0.; ///< the sum of the steps of the fastest particles [m]
+    double carried_way              = 0.; ///< for which the carried force was advanced [m]
   };
 } // namespace magmpm

@@ -4,13 +4,13 @@ namespace magmpm
 {
   namespace
   {
-    /** Of |a|: the largest change that is carried on over a time as long as the last one. */
+    /** Of |a|: the largest change that is carried on over a way as long as the last one. */
     constexpr double largest_change = 0.5;
   } // namespace
 
   template <int dim>
   void
-  recall_carried_force(const double elapsed, Body<dim> &body)
+  recall_carried_force(const double way, Body<dim> &body)
   {
     if (!body.magnetic.is_magnetic())
       return;
@@ -20,13 +20,13 @@ namespace magmpm
         const double *a = particles.component(ParticleProperty::magnetic_acceleration, d);
         double *rate    = particles.component(ParticleProperty::magnetic_acceleration_rate, d);
         for (std::size_t p = 0; p < particles.size(); ++p)
-          rate[p] = a[p] - elapsed * rate[p];
+          rate[p] = a[p] - way * rate[p];
       }
   }
 
   template <int dim>
   void
-  set_rate_of_carried_force(const double elapsed, Body<dim> &body)
+  set_rate_of_carried_force(const double way, Body<dim> &body)
   {
     if (!body.magnetic.is_magnetic())
       return;
@@ -38,7 +38,7 @@ namespace magmpm
                                                     p);
         const Vector<dim> change = now - before;
         const double allowed     = largest_change * norm(now);
-        double factor            = elapsed > 0. ? 1. / elapsed : 0.;
+        double factor            = way > 0. ? 1. / way : 0.;
         if (norm(change) > allowed)
           factor *= allowed / norm(change);
         for (int d = 0; d < dim; ++d)
@@ -47,9 +47,26 @@ namespace magmpm
       }
   }
 
-#define INSTANTIATE(dim)                                              \
-  template void recall_carried_force<dim>(const double, Body<dim> &); \
-  template void set_rate_of_carried_force<dim>(const double, Body<dim> &);
+  template <int dim>
+  void
+  advance_carried_force(const double way, Body<dim> &body)
+  {
+    if (!body.magnetic.is_magnetic() || way == 0.)
+      return;
+    ParticleSet<dim> &particles = body.particles;
+    for (int d = 0; d < dim; ++d)
+      {
+        double *a          = particles.component(ParticleProperty::magnetic_acceleration, d);
+        const double *rate = particles.component(ParticleProperty::magnetic_acceleration_rate, d);
+        for (std::size_t p = 0; p < particles.size(); ++p)
+          a[p] += way * rate[p];
+      }
+  }
+
+#define INSTANTIATE(dim)                                                   \
+  template void recall_carried_force<dim>(const double, Body<dim> &);      \
+  template void set_rate_of_carried_force<dim>(const double, Body<dim> &); \
+  template void advance_carried_force<dim>(const double, Body<dim> &);
 
   INSTANTIATE(2)
   INSTANTIATE(3)

@@ -178,7 +178,6 @@ namespace magmpm
     {
       const ParticleArrays<dim> &particles = run.particles;
       const double affine_factor           = 4. / (run.spacing * run.spacing);
-      const bool is_magnetic               = particles.magnetic_acceleration[0] != nullptr;
       const auto raise                     = [](double &largest, const double value) {
         largest = (value <= largest
                                          ? largest
@@ -198,9 +197,6 @@ namespace magmpm
               for (int d = 0; d < dim; ++d)
                 affine(c, d) = affine_factor * moment[d][c];
             }
-          for (int c = 0; c < dim && is_magnetic; ++c)
-            particles.magnetic_acceleration[c][p] += time_step *
-                                                     particles.magnetic_acceleration_rate[c][p];
           const typename Law::State state =
             law.advanced(load_state<dim, Law>(particles, p), affine, time_step);
           store_vector<dim>(v, particles.velocity, p);

@@ -51,7 +51,6 @@ namespace magmpm
       assign(ParticleProperty::mass, &arrays.mass);
       assign(ParticleProperty::volume, &arrays.volume);
       assign(ParticleProperty::magnetic_acceleration, arrays.magnetic_acceleration);
-      assign(ParticleProperty::magnetic_acceleration_rate, arrays.magnetic_acceleration_rate);
       assign(ParticleProperty::magnetic_field, arrays.magnetic_field);
       return arrays;
     }

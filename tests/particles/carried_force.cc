@@ -34,25 +34,14 @@ namespace
                                  d)[p] = value * (1. + d + 10. * p);
   }
 
-  /** A solve @p elapsed after the last one, at which the acceleration is @p value. */
+  /** A solve @p way after the last one, at which the acceleration is @p value. */
   template <int dim>
   void
-  solve(const double elapsed, const double value, Body<dim> &body)
+  solve(const double way, const double value, Body<dim> &body)
   {
-    recall_carried_force(elapsed, body);
+    recall_carried_force(way, body);
     set_acceleration(value, body);
-    set_rate_of_carried_force(elapsed, body);
-  }
-
-  /** What G2P does to it in a step. */
-  template <int dim>
-  void
-  advance(const double time_step, Body<dim> &body)
-  {
-    for (std::size_t p = 0; p < body.particles.size(); ++p)
-      for (int d = 0; d < dim; ++d)
-        body.particles.component(ParticleProperty::magnetic_acceleration, d)[p] +=
-          time_step * body.particles.component(ParticleProperty::magnetic_acceleration_rate, d)[p];
+    set_rate_of_carried_force(way, body);
   }
 
   template <int dim>
@@ -63,43 +52,43 @@ namespace
   }
 } // namespace
 
-// A force that changes evenly in time is carried exactly after two solves, in steps of any length and
-// between solves at any distance: extrapolation is exact for linear functions.
+// A force that changes evenly along the way is carried exactly after two solves, in steps of any length
+// and between solves at any distance: extrapolation is exact for linear functions.
 TEMPLATE_TEST_CASE_SIG("A force that changes evenly is carried exactly",
                        "[particles]",
                        ((int dim), dim),
                        2,
                        3)
 {
-  const auto exact = [](const double time) { return 100. + 30. * time; };
+  const auto exact = [](const double way) { return 100. + 30. * way; };
   Body<dim> body   = body_of_two_particles<dim>(true);
   solve(0., exact(0.), body);
-  advance(0.4, body);
+  advance_carried_force(0.4, body);
   CHECK(acceleration(body, 0, 0) == exact(0.)); // no rate yet
   double time = 0.4, last = 0.;
   for (const double next : {0.4, 1.1, 1.3})
     {
       for (; time < next - 1e-12; time += 0.1)
-        advance(0.1, body);
+        advance_carried_force(0.1, body);
       solve(next - last, exact(next), body);
       last = time = next;
-      advance(0.25, body);
+      advance_carried_force(0.25, body);
       for (std::size_t p = 0; p < 2; ++p)
         for (int d = 0; d < dim; ++d)
           CHECK(acceleration(body, p, d) ==
                 Approx(exact(next + 0.25) * (1. + d + 10. * p)).epsilon(1e-12));
-      advance(-0.25, body);
+      advance_carried_force(-0.25, body);
     }
 }
 
-// A sudden force, such as of a magnet switched on, is not carried on: over a time as long as the last one
+// A sudden force, such as of a magnet switched on, is not carried on: over a way as long as the last one
 // it may change by half of itself, no more. A body that is not magnetic has no force to carry.
 TEMPLATE_TEST_CASE_SIG("A sudden force is not carried on", "[particles]", ((int dim), dim), 2, 3)
 {
   Body<dim> body = body_of_two_particles<dim>(true);
   solve(0., 0., body);
   solve(0.2, 100., body);
-  advance(0.2, body);
+  advance_carried_force(0.2, body);
   CHECK(acceleration(body, 0, 0) == Approx(150.).epsilon(1e-12));
 
   Body<dim> other = body_of_two_particles<dim>(false);

@@ -322,12 +322,12 @@ TEST_CASE("A body floats in a uniform field", "[program]")
     }
 }
 
-TEST_CASE("Between solves the force lags behind by no more than the trigger allows", "[program]")
+TEST_CASE("Between solves the force follows the motion", "[program]")
 {
-  // A cube that falls to a magnet, solved in every step and by default, after a way of 0.1 dx.
-  // Between solves particles keep their force: it is that of a position at most this way (and a
-  // step) back, which the run with all solves tells. With dx = 1/32 m this is 6 % of the force;
-  // two thirds of the solves are saved.
+  // A cube that falls to a magnet, solved in every step and by default, after a way of 0.2 dx.
+  // Between solves the force goes on changing as before: it is that of the present height, which
+  // the run with all solves tells, to second order of the way. With dx = 1/32 m 0.2 dx change the
+  // force by up to a fifth, and less than 6 % of it are missed; four fifths of the solves are saved.
   const std::string scene = std::string(MAGMPM_SOURCE_DIR) +
                             "/parameter_files/cube_nonlinear.prm --set Output/Particles=false "
                             "--set Output/Fields=false --set \"Box/Cell size=0.03125\" "
@@ -350,24 +350,17 @@ TEST_CASE("Between solves the force lags behind by no more than the trigger allo
     const double part = (z - all[height][row - 1]) / (all[height][row] - all[height][row - 1]);
     return all[force][row - 1] + part * (all[force][row] - all[force][row - 1]);
   };
-  double largest_lag = 0.;
+  double largest_error = 0.;
   for (std::size_t row = 2; row < few.n_rows(); ++row)
-    {
-      // The force of a row is that of the start of its step.
-      const double step   = few[height][row - 2] - few[height][row];
-      const double newest = force_at(few[height][row]);
-      const double oldest = force_at(few[height][row] + 0.1 * 0.03125 + step);
-      CHECK(few[force][row] > 1.01 * newest); // both are negative, and grow in size
-      CHECK(few[force][row] < 0.99 * oldest);
-      largest_lag = std::max(largest_lag, 1. - few[force][row] / newest);
-    }
+    largest_error = std::max(largest_error,
+                             std::abs(few[force][row] / force_at(few[height][row]) - 1.));
   const double ratio = few.last("magnetic solves") / all.last("magnetic solves");
-  std::printf("default trigger: %.0f of %.0f solves, the force lags behind by %.1f %% at most\n",
+  std::printf("default trigger: %.0f of %.0f solves, the force is wrong by %.1f %% at most\n",
               few.last("magnetic solves"),
               all.last("magnetic solves"),
-              100. * largest_lag);
-  CHECK(ratio < 0.8);
-  CHECK(largest_lag < 0.12);
+              100. * largest_error);
+  CHECK(ratio < 0.5);
+  CHECK(largest_error < 0.06);
 }
 
 TEST_CASE("Cells of dx and the smeared indicator act", "[program]")

@@ -6,10 +6,11 @@ namespace magmpm
 {
   /**
    * Between solves of the potential magnetic particles carry the force as an acceleration a, which goes
-   * on changing at the rate of the last two solves, da/dt = (a_now - a_before)/elapsed: to second order
-   * the force follows the motion, where a constant one would lag behind. G2P advances a over each step.
+   * on changing at the rate of the last two solves, da/ds = (a_now - a_before)/way: to second order the
+   * force follows the motion, where a constant one would lag behind. s is a way, that of the material
+   * and the sources: a force depends on places, so this holds too where the speed changes.
    *
-   * The change over a time as long as the last one is at most half of a, so that an impact, or a
+   * Over a way as long as the last one a changes by at most half of itself, so that an impact, or a
    * magnet switched on, is not carried on.
    */
 
@@ -17,14 +18,19 @@ namespace magmpm
    * Before a solve: the rate becomes the acceleration at the solve before, until
    * set_rate_of_carried_force() makes a rate of it again.
    *
-   * @param elapsed  since that solve [s].
+   * @param way  s since that solve [m], what advance_carried_force() was given in all.
    */
   template <int dim>
   void
-  recall_carried_force(const double elapsed, Body<dim> &body);
+  recall_carried_force(const double way, Body<dim> &body);
 
-  /** After the solve, with the new accelerations in place. @param elapsed  as before; 0: rate 0. */
+  /** After the solve, with the new accelerations in place. @param way  as before; 0: rate 0. */
   template <int dim>
   void
-  set_rate_of_carried_force(const double elapsed, Body<dim> &body);
+  set_rate_of_carried_force(const double way, Body<dim> &body);
+
+  /** @param way  in a step [m]. */
+  template <int dim>
+  void
+  advance_carried_force(const double way, Body<dim> &body);
 } // namespace magmpm

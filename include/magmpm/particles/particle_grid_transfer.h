@@ -38,8 +38,8 @@ namespace magmpm
                        NodeField<dim> &field);
 
   /**
-   * G2P and advection, Eqs. (35-37): velocity and affine velocity from the nodes, then deformation,
-   * position and carried magnetic force over a step.
+   * G2P and advection, Eqs. (35-37): velocity and affine velocity from the nodes, then deformation
+   * and position over a step.
    *
    * @param field  {velocity [m/s], mass [kg]}, ghosts up to date.
    * @return extremes over this rank's particles after the step, one per body.

@@ -41,7 +41,7 @@ namespace magmpm
       {"mass", "kg"},
       {"volume", "m^3"},
       {"magnetic acceleration", "m/s^2"},
-      {"magnetic acceleration rate", "m/s^3"},
+      {"magnetic acceleration rate", "1/s^2"},
       {"magnetic field", "A/m"},
       {"position at solve", "m"}}};
 
@@ -59,9 +59,8 @@ namespace magmpm
     Number *deformation[dim * dim]; ///< only the first one if the deformation is J
     Number *mass;
     Number *volume;
-    Number *magnetic_acceleration[dim];      ///< null without magnetic material
-    Number *magnetic_acceleration_rate[dim]; ///< null without magnetic material
-    Number *magnetic_field[dim];             ///< null without magnetic material
+    Number *magnetic_acceleration[dim]; ///< null without magnetic material
+    Number *magnetic_field[dim];        ///< null without magnetic material
   };
 
   /**
