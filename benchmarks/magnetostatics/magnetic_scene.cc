@@ -126,8 +126,26 @@ namespace magmpm::benchmarks
     node_force.reinit(partition.blocks().size());
     potential.compute_force(mass, node_force);
     hand_force_to_particles(mass);
-    medium = potential.material_samples();
+    medium.clear();
     return report;
+  }
+
+  template <int dim>
+  const std::vector<MaterialSample<dim>> &
+  MagneticScene<dim>::samples() const
+  {
+    if (medium.empty())
+      medium = potential.material_samples();
+    return medium;
+  }
+
+  template <int dim>
+  double
+  MagneticScene<dim>::seconds_in(const std::string &section) const
+  {
+    const auto seconds = timer->get_summary_data(dealii::TimerOutput::total_wall_time);
+    const auto found   = seconds.find(section);
+    return found == seconds.end() ? 0. : found->second;
   }
 
   template <int dim>
