@@ -33,7 +33,7 @@ FIXED_STEP = ["Time step/Kind=fixed", "Time step/Fixed step=5e-5"]
 
 
 def groups(n_cells, finest):
-    """{name: [(row, settings), ...]}; the last row of a group is what the others are compared with."""
+    """{name: [(row, settings), ...]}; the rows of a group are compared with its last."""
     coarse = cell_size(n_cells)
     return {
         "spacing": [(f"dx = 1/{n}", cell_size(n)) for n in (64, 96, 128) if n <= finest],
@@ -120,9 +120,9 @@ def main():
     parser.add_argument("--finest", type=int, default=128, help="largest 1/dx of spacings [1/m]")
     parser.add_argument("--only", nargs="+", choices=["spacing", "step", "trigger"])
     options = parser.parse_args()
-    print(f"cube_nonlinear.prm until {options.end_time} s, {options.ranks} ranks, no output; steps and "
-          f"triggers with dx = 1/{options.cells}\nimpact: when the centre of mass is fastest; per "
-          "cent: from the last row")
+    print(f"cube_nonlinear.prm until {options.end_time} s, {options.ranks} ranks, no output; "
+          f"steps and triggers with dx = 1/{options.cells}\n"
+          "impact: when the centre of mass is fastest; per cent: from the last row")
     for name, cases in groups(options.cells, options.finest).items():
         if not options.only or name in options.only:
             print_group(name, [(row, run(options, settings)) for row, settings in cases])

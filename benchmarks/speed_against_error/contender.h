@@ -38,7 +38,7 @@ namespace magmpm::benchmarks
 
   /**
    * magmpm in a potential box of 8 R or more, with open faces. Cold: mesh, distribution and
-   * sorting of particles, function space, preconditioner, solve, force, and its way to the particles.
+   * sorting of particles, function space, preconditioner, solve, force, its way to the particles.
    * Warm: P2G, indicator, solve, force.
    *
    * @param tolerance  of Newton's method, relative to the residual at zero potential.
@@ -50,8 +50,8 @@ namespace magmpm::benchmarks
                    const double tolerance);
 
   /**
-   * The paper's scheme with its fastest preconditioner. Cold: memory, P2G, solve from zero, force. Warm:
-   * P2G, solve from the last potential, force.
+   * The paper's scheme with its fastest preconditioner. Cold: memory, P2G, solve from zero, force.
+   * Warm: P2G, solve from the last potential, force.
    *
    * @param half_width  of the box, in radii.
    */

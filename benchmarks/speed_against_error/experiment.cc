@@ -79,8 +79,10 @@ namespace magmpm::benchmarks
     RandomNumbers random(offset + 1);
     shift        = random.vector_between<3>(-0.5 * spacing, 0.5 * spacing);
     local_points = jittered_points(body_region(scene, radius), 0.5 * spacing, random);
-    volume       = scene == SceneKind::cube_near_magnet ? std::pow(2. * radius, 3)
-                                                        : ellipsoid_volume<3>({{radius, radius, radius}});
+    if (scene == SceneKind::cube_near_magnet)
+      volume = std::pow(2. * radius, 3);
+    else
+      volume = ellipsoid_volume<3>({{radius, radius, radius}});
     if (scene == SceneKind::sphere_in_uniform_field)
       exact_field = (medium.argument / argument_per_field) * oblique_direction<3>();
   }

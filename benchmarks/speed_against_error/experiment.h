@@ -57,8 +57,8 @@ namespace magmpm::benchmarks
                                                            &StateErrors::virial};
 
   /**
-   * A body, its particles and sources, at R/dx = resolution (a cube has the edge 2 R), at one place in
-   * the cells of the lattice: both schemes get the same particles at the same distance from a node.
+   * A body, its particles and sources, at R/dx = resolution (a cube has the edge 2 R), at one place
+   * in the cells of the lattice: both schemes get the same particles, as far from a node.
    */
   class Experiment
   {

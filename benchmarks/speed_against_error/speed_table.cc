@@ -35,7 +35,7 @@ namespace magmpm::benchmarks
                 : "");
     }
 
-    /** The name, cold and warm time of the contender that is there first, by cold or by warm time. */
+    /** The contender that is there first. */
     struct Fastest
     {
       std::string name = "-";
