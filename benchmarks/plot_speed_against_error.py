@@ -18,7 +18,7 @@ PANELS = [
     ("sphere in a uniform field", "moment_error", "moment of a sphere"),
     ("sphere near a dipole", "force_error", "force of a dipole on a sphere"),
 ]
-LINES = {"magmpm": "-", "paper": "--"}
+LINES = {"magmpm": "-", "paper": "--", "paper with open faces": ":"}
 MARKERS = "osv^D<>pX*hP"
 
 
@@ -41,7 +41,7 @@ def draw_panel(panel, contenders, column, seconds):
             color=plt.get_cmap("tab20")(number % 20),
             markersize=4,
             linewidth=1.2,
-            label=name if scheme == "paper" else f"magmpm: {name}",
+            label=f"magmpm: {name}" if scheme == "magmpm" else name,
         )
     for percent in (1.0, 3.0):
         panel.axhline(percent, color="gray", linewidth=0.7, linestyle=":")

@@ -81,23 +81,26 @@ namespace
   {
     std::vector<Measurement> measurements;
     for (const Contender &contender : contenders)
-      measurements.emplace_back(contender.is_paper, contender.name, resolution);
+      measurements.emplace_back(contender.scheme, contender.name, resolution);
     for (int n = 0; n < n_repetitions(resolution, options.repetitions); ++n)
       {
         const Experiment experiment(scene, resolution, n, options.medium);
         for (std::size_t c = 0; c < contenders.size(); ++c)
-          {
-            const Outcome outcome = contenders[c].run(experiment);
-            measurements[c].add(
-              outcome,
-              reference ? experiment.errors(outcome.state, reference->experiment, reference->state)
-                        : experiment.errors(outcome.state));
-          }
+          if (resolution >= contenders[c].coarsest)
+            {
+              const Outcome outcome = contenders[c].run(experiment);
+              measurements[c].add(
+                outcome,
+                reference
+                  ? experiment.errors(outcome.state, reference->experiment, reference->state)
+                  : experiment.errors(outcome.state));
+            }
       }
     std::vector<Contender> affordable;
     for (std::size_t c = 0; c < contenders.size(); ++c)
       {
-        table.add(measurements[c]);
+        if (measurements[c].n_runs > 0)
+          table.add(measurements[c]);
         if (measurements[c].cold.seconds <= options.max_seconds)
           affordable.push_back(contenders[c]);
       }

@@ -28,12 +28,29 @@ namespace magmpm::benchmarks
     MagneticState state; ///< before it moved
   };
 
+  enum class Scheme
+  {
+    magmpm,
+    paper,     ///< as it is, with Neumann faces
+    paper_open ///< with the open faces that it does not have in the paper
+  };
+
+  inline constexpr Scheme all_schemes[] = {Scheme::magmpm, Scheme::paper, Scheme::paper_open};
+
+  inline const char *
+  to_string(const Scheme scheme)
+  {
+    constexpr const char *names[] = {"magmpm", "paper", "paper with open faces"};
+    return names[static_cast<int>(scheme)];
+  }
+
   /** A scheme with all its choices made. */
   struct Contender
   {
-    bool is_paper;
+    Scheme scheme;
     std::string name;
     std::function<Outcome(const Experiment &)> run;
+    double coarsest = 0.; ///< R/dx that its box has room for
   };
 
   /**

@@ -119,7 +119,7 @@ namespace magmpm::benchmarks
     magnetics.preconditioner   = preconditioner;
     magnetics.indicator        = indicator;
     magnetics.newton_tolerance = tolerance;
-    return {false,
+    return {Scheme::magmpm,
             std::string(name_of(preconditioner)) + (cell_edge == 2 ? ", 2 dx, " : ", dx, ") +
               (indicator == MaterialIndicator::sharp ? "sharp" : "smeared"),
             [mesh, magnetics](const Experiment &experiment) {

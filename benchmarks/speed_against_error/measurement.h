@@ -12,8 +12,8 @@ namespace magmpm::benchmarks
   class Measurement
   {
   public:
-    Measurement(const bool is_paper, const std::string &contender, const int resolution)
-      : is_paper(is_paper)
+    Measurement(const Scheme scheme, const std::string &contender, const int resolution)
+      : scheme(scheme)
       , contender(contender)
       , resolution(resolution)
     {
@@ -26,7 +26,7 @@ namespace magmpm::benchmarks
     StateErrors
     rms_errors() const;
 
-    const bool is_paper;
+    const Scheme scheme;
     const std::string contender;
     const int resolution;
 

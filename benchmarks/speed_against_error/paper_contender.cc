@@ -83,15 +83,21 @@ namespace magmpm::benchmarks
   Contender
   paper_contender(const BoxFaces faces, const double half_width, const double tolerance)
   {
+    // Particles stay 2.5 dx away from the faces, wherever the body is in its cell.
+    constexpr double margin = 3.2;
+
     std::ostringstream name;
     name << "paper, " << (faces == BoxFaces::open ? "open" : "Neumann") << " at " << half_width
          << " R";
-    return {true, name.str(), [faces, half_width, tolerance](const Experiment &experiment) {
+    return {faces == BoxFaces::open ? Scheme::paper_open : Scheme::paper,
+            name.str(),
+            [faces, half_width, tolerance](const Experiment &experiment) {
               paper_scheme::Parameters parameters;
               parameters.law              = experiment.law;
               parameters.faces            = faces;
               parameters.newton_tolerance = tolerance;
               return run(experiment, half_width, parameters);
-            }};
+            },
+            margin / (half_width - 1.)};
   }
 } // namespace magmpm::benchmarks

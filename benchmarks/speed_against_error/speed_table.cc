@@ -19,6 +19,13 @@ namespace magmpm::benchmarks
       return text;
     }
 
+    /** "1.2e-03", or "-". */
+    std::string
+    error_text(const double error)
+    {
+      return std::isfinite(error) ? formatted("%.1e", error) : "-";
+    }
+
     /** "2.3", with the sign of what is only a bound; "-" for no number. */
     std::string
     ratio_text(const TimeToError &paper, const TimeToError &magmpm)
@@ -95,27 +102,26 @@ namespace magmpm::benchmarks
   {
     measurements.push_back(m);
     const StateErrors errors = m.rms_errors();
-    terminal << formatted(
-                  "%-24s %5d %4d %9llu %6d %4d %8.1f %6d %4d %8.4f %8.4f %8.1e %8.1e %8.1e %8.1e\n",
-                  m.contender.c_str(),
-                  m.resolution,
-                  m.n_runs,
-                  m.n_unknowns,
-                  m.cold.newton_steps,
-                  m.cold.cg_iterations,
-                  m.nanoseconds_per_unknown_and_iteration(),
-                  m.warm.newton_steps,
-                  m.warm.cg_iterations,
-                  m.cold.seconds,
-                  m.warm.seconds,
-                  errors.moment,
-                  errors.force,
-                  errors.field,
-                  errors.virial)
+    terminal << formatted("%-24s %5d %4d %9llu %6d %4d %8.1f %6d %4d %8.4f %8.4f %8s %8s %8s %8s\n",
+                          m.contender.c_str(),
+                          m.resolution,
+                          m.n_runs,
+                          m.n_unknowns,
+                          m.cold.newton_steps,
+                          m.cold.cg_iterations,
+                          m.nanoseconds_per_unknown_and_iteration(),
+                          m.warm.newton_steps,
+                          m.warm.cg_iterations,
+                          m.cold.seconds,
+                          m.warm.seconds,
+                          error_text(errors.moment).c_str(),
+                          error_text(errors.force).c_str(),
+                          error_text(errors.field).c_str(),
+                          error_text(errors.virial).c_str())
              << std::flush;
     csv << formatted("%s,%s,\"%s\",%d,%d,%llu,%d,%d,%.2f,%d,%d,%.6g,%.6g,%.4e,%.4e,%.4e,%.4e\n",
                      to_string(scene),
-                     m.is_paper ? "paper" : "magmpm",
+                     to_string(m.scheme),
                      m.contender.c_str(),
                      m.resolution,
                      m.n_runs,
@@ -160,8 +166,7 @@ namespace magmpm::benchmarks
                           "",
                           "cold",
                           "warm");
-    // Of magmpm [0] and the paper [1], cold and warm.
-    Fastest fastest[2][2];
+    Fastest fastest[std::size(all_schemes)][2]; // cold and warm
     for (const auto &one : series())
       {
         const auto time = [&](SolveCost Measurement::*cost) {
@@ -173,15 +178,16 @@ namespace magmpm::benchmarks
                               times[0].text().c_str(),
                               times[1].text().c_str());
         for (int i = 0; i < 2; ++i)
-          fastest[one.front()->is_paper][i].consider(one.front()->contender, times[i]);
+          fastest[static_cast<int>(one.front()->scheme)][i].consider(one.front()->contender,
+                                                                     times[i]);
       }
-    const char *const names[2] = {"cold", "warm"};
-    for (int i = 0; i < 2; ++i)
-      terminal << formatted("%s: '%s' over '%s': ratio of times %s\n",
-                            names[i],
-                            fastest[1][i].name.c_str(),
-                            fastest[0][i].name.c_str(),
-                            ratio_text(fastest[1][i].time, fastest[0][i].time).c_str());
+    for (const int scheme : {1, 2})
+      for (int i = 0; i < 2; ++i)
+        terminal << formatted("%s, '%s' over '%s': %s\n",
+                              i == 0 ? "cold" : "warm",
+                              fastest[scheme][i].name.c_str(),
+                              fastest[0][i].name.c_str(),
+                              ratio_text(fastest[scheme][i].time, fastest[0][i].time).c_str());
   }
 
   void
