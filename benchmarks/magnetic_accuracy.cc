@@ -52,7 +52,8 @@ run_program(const Options &options, std::ostream &terminal)
       return;
     }
   if (!options.csv)
-    terminal << version_string() << std::endl
+    terminal << version_string() << ", " << dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD)
+             << " ranks" << std::endl
              << "Relative errors of the magnetic part; "
              << (options.indicator == MaterialIndicator::sharp ? "sharp" : "smeared")
              << " indicator, cells of " << options.cell_edge << " dx at material" << std::endl;

@@ -52,8 +52,8 @@ namespace magmpm::benchmarks
   inline constexpr double argument_per_field = 3.31e-5;
 
   /**
-   * The lattice, mesh and scene of a case: a box of n cells, somewhere near its middle the centre of
-   * what is looked at.
+   * The lattice, mesh and scene of a case: a box of n cells, somewhere near its middle the centre
+   * of what is looked at.
    */
   template <int dim>
   class CaseScene

@@ -7,9 +7,9 @@
 namespace magmpm::benchmarks
 {
   /**
-   * A cube (2D: a square) along the lattice, its edge the case's resolution in dx, against the same of
-   * a finer run, there being no exact solution: "dipole moment" in a uniform field, "dipole force" in the
-   * field of a dipole 1.5 edges from its centre.
+   * A cube (2D: a square) along the lattice, its edge the case's resolution in dx, against the
+   * same of a finer run, there being no exact solution: "dipole moment" in a uniform field,
+   * "dipole force" in the field of a dipole 1.5 edges from its centre.
    */
   template <int dim>
   class CubeErrors

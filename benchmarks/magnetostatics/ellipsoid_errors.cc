@@ -87,9 +87,31 @@ namespace magmpm::benchmarks
         return {{s(1, 0) - s(0, 1)}};
     }
 
-    /** Relative error of the moment of a body of a medium in a uniform field. */
+    /**
+     * Of the number of grains in the medium at the quadrature points, which is that of the
+     * particles.
+     */
     template <int dim>
     double
+    grain_error(const CaseScene<dim> &setup, const PointBody<dim> &body)
+    {
+      const double found = setup.scene.template integral<double>(
+        [](const MaterialSample<dim> &sample) { return sample.number_density; });
+      return found / (body.volume * body.magnetic.number_density) - 1.;
+    }
+
+    /**
+     * The moment of a body in a uniform field: relative error, and that of its part along the
+     * exact.
+     */
+    struct MomentError
+    {
+      double all;
+      double along;
+    };
+
+    template <int dim>
+    MomentError
     moment_error(CaseScene<dim> &setup,
                  const PointBody<dim> &body,
                  const Vector<dim> &field,
@@ -97,7 +119,9 @@ namespace magmpm::benchmarks
     {
       setup.scene.set_bodies({body});
       setup.scene.solve(ExternalField<dim>({uniform_source(field)}));
-      return relative_error(setup.scene.moment(), body.volume * exact_magnetization);
+      const Vector<dim> exact = body.volume * exact_magnetization;
+      const Vector<dim> found = setup.scene.moment();
+      return {relative_error(found, exact), dot(found, exact) / norm_square(exact) - 1.};
     }
   } // namespace
 
@@ -116,7 +140,7 @@ namespace magmpm::benchmarks
 
     CaseScene<dim> setup(accuracy_case, 4. * accuracy_case.resolution);
     const PointBody<dim> body = setup.body(spheroid.region(setup.centre), spheroid.volume());
-    const double moment       = moment_error(setup, body, field, magnetization);
+    const double moment       = moment_error(setup, body, field, magnetization).all;
     const auto exact = (constants::vacuum_permeability * body.volume) * cross(magnetization, field);
     return {{"torque", relative_error(torque_of(setup.scene.virial(setup.centre)), exact)},
             {"torque, particles",
@@ -137,7 +161,8 @@ namespace magmpm::benchmarks
 
     const auto error = [&](const int axis) {
       const Vector<dim> field = outer_field * sheet.in_space(unit_vector<dim>(axis));
-      return moment_error(setup, body, field, sheet.exact_magnetization(accuracy_case, field));
+      return moment_error(setup, body, field, sheet.exact_magnetization(accuracy_case, field))
+        .along;
     };
     return {{"moment, field in the plane", error(0)}, {"moment, field across", error(dim - 1)}};
   }
@@ -152,11 +177,12 @@ namespace magmpm::benchmarks
     const Ellipsoid<dim> drop(half_axes);
     const Vector<dim> field = outer_field * oblique_direction<dim>();
     CaseScene<dim> setup(accuracy_case, 16.);
-    return {{"dipole moment",
-             moment_error(setup,
-                          setup.body(drop.region(setup.centre), drop.volume()),
-                          field,
-                          drop.exact_magnetization(accuracy_case, field))}};
+    const PointBody<dim> body = setup.body(drop.region(setup.centre), drop.volume());
+    const MomentError moment =
+      moment_error(setup, body, field, drop.exact_magnetization(accuracy_case, field));
+    return {{"moment along H_0", moment.along},
+            {"dipole moment", moment.all},
+            {"number of grains", grain_error(setup, body)}};
   }
 
   template <int dim>
@@ -167,13 +193,12 @@ namespace magmpm::benchmarks
     CaseScene<dim> setup(accuracy_case, 16.);
     PointBody<dim> particle = setup.body(sphere_region(setup.centre, 0.), 1.);
     particle.volume         = std::pow(case_spacing / (dim == 3 ? 2. : 3.), dim);
-    return {
-      {"dipole moment",
-       moment_error(setup,
-                    particle,
-                    field,
-                    sphere_in_uniform_field(accuracy_case.law(), accuracy_case.content(), field)
-                      .magnetization)}};
+    const Vector<dim> exact =
+      sphere_in_uniform_field(accuracy_case.law(), accuracy_case.content(), field).magnetization;
+    const MomentError moment = moment_error(setup, particle, field, exact);
+    return {{"moment along H_0", moment.along},
+            {"dipole moment", moment.all},
+            {"number of grains", grain_error(setup, particle)}};
   }
 
 #define MAGMPM_INSTANTIATE(dim)                             \

@@ -172,7 +172,8 @@ namespace magmpm::benchmarks
                             const Vector<dim> &place,
                             const Vector<dim> &dipole)
   {
-    // U = -c [(r - t) (p.e)^2 + t p^2]; the gradient of p.e by the dipole's place is (p - (p.e) e)/D.
+    // U = -c [(r - t) (p.e)^2 + t p^2], where the gradient of p.e by the dipole's place is
+    // (p - (p.e) e)/D.
     const double distance    = norm(place);
     const MirrorSums sums    = mirror_sums<dim>(susceptibility, radius, distance);
     const Vector<dim> e      = (1. / distance) * place;

@@ -56,8 +56,8 @@ namespace magmpm::benchmarks
                           const Vector<dim> &outer_field);
 
   /**
-   * S(i,j) = int t_i x_j over the surface of a uniformly magnetized sphere about its centre, with the
-   * traction t = mu_0/2 (M.n)^2 n of the jump of the Maxwell stress:
+   * S(i,j) = int t_i x_j over the surface of a uniformly magnetized sphere about its centre, with
+   * the traction t = mu_0/2 (M.n)^2 n of the jump of the Maxwell stress:
    *   S = mu_0/2 V (M^2 I + 2 M (x) M)/(dim + 2).
    *
    * @return [J], or [J/m].

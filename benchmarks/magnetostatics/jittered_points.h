@@ -63,8 +63,8 @@ namespace magmpm::benchmarks
   cube_region(const Vector<dim> &centre, const double edge);
 
   /**
-   * Points inside a region: those of a grid of @p distance with a random corner, each moved by up to
-   * half the distance along every axis.
+   * Points inside a region: those of a grid of @p distance with a random corner, each moved by up
+   * to half the distance along every axis.
    */
   template <int dim>
   std::vector<Vector<dim>>

@@ -43,8 +43,9 @@ namespace magmpm::benchmarks
       spheres.separation      = distance * oblique_direction<dim>();
       const Vector<dim> field = outer_field * second_direction<dim>();
 
-      // The middle of the whole comes to that of the box.
-      CaseScene<dim> setup(accuracy_case, length / case_spacing + 6.);
+      // The middle of the whole comes to that of the box; this is wide, since the force of an open
+      // face on the pair counts as a violation of the third law.
+      CaseScene<dim> setup(accuracy_case, 8. * accuracy_case.resolution);
       const Vector<dim> first = setup.centre -
                                 (0.5 * length - spheres.radius[0]) * oblique_direction<dim>();
       const Vector<dim> centres[2] = {first, first + spheres.separation};

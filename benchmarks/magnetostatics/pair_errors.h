@@ -6,8 +6,9 @@ namespace magmpm::benchmarks
 {
   /**
    * Two spheres of radius R in a uniform field, a gap of R/2 between them, the field oblique to the
-   * line of centres, so that the forces between them are all there is: "third law", |F_1 + F_2| over
-   * |F|; "pair force" against the exact one, the mean of the two spheres; "dipole moment" of both.
+   * line of centres, so that the forces between them are all there is: "third law", |F_1 + F_2|
+   * over |F|; "pair force" against the exact one, the mean of the two spheres; "dipole moment" of
+   * both.
    */
   template <int dim>
   Errors

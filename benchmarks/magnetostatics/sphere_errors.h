@@ -8,8 +8,8 @@ namespace magmpm::benchmarks
    * A sphere (2D: a cylinder) in a uniform field:
    * - "dipole moment";
    * - "rms H inside 0.7 R", and "mean H inside 0.7 R";
-   * - "virial deviator", along the field, of sum f_i (x - c) over the nodes against the exact surface
-   *   traction, which is its test; "virial deviator, particles" of the force that particles carry;
+   * - "virial deviator", along the field, of sum f_i (x - c) over the nodes: the test of the
+   *   surface traction; "virial deviator, particles" of the force that particles carry;
    * - "virial trace";
    * - "net force", sum f_i over mu_0 M^2 V/R.
    */
@@ -41,9 +41,9 @@ namespace magmpm::benchmarks
   box_errors(const AccuracyCase &accuracy_case);
 
   /**
-   * A sphere moved by 4 dx towards a dipole, 3 R away at first: "force noise", rms of the force over
-   * the exact one after subtraction of a cubic polynomial of the way; "work", of the force, against
-   * the change of the energy.
+   * A sphere moved by 4 dx towards a dipole, 3 R away at first: "force noise", rms of the force
+   * over the exact one after subtraction of a cubic polynomial of the way; "work", of the force,
+   * against the change of the energy.
    */
   template <int dim>
   Errors

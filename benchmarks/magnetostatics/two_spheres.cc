@@ -34,7 +34,8 @@ namespace magmpm::benchmarks
      * The potential around a sphere in harmonics of degree l and one order, distances in units of
      * that of the centres. In 3D the order m is 0 (along) or 1 (across) and the harmonics are
      *   regular r^l P_l^m/(l+m)!, singular (l-m)! P_l^m/r^(l+1);
-     * in 2D they are z^l and z^-l of the complex z, the real part (along) or the imaginary (across).
+     * in 2D they are z^l and z^-l of the complex z, the real part (along) or the imaginary
+     * (across).
      */
     template <int dim>
     struct Harmonics
@@ -67,8 +68,8 @@ namespace magmpm::benchmarks
       }
 
       /**
-       * The regular harmonic of degree k about one centre that the singular one of degree l about the
-       * other makes; @p from_second: the other is the second sphere.
+       * The regular harmonic of degree k about one centre that the singular one of degree l about
+       * the other makes; @p from_second: the other is the second sphere.
        */
       double
       translation(const int k, const int l, const bool from_second) const

@@ -25,12 +25,12 @@ namespace magmpm::benchmarks
   /**
    * Exact moments and forces in a uniform field, by the method of reflections: each sphere answers
    * the multipoles of the other, re-expanded about its own centre, until nothing changes. The force
-   * is the derivative of the energy -mu_0/2 (m_1 + m_2).H_0 by the separation (radially by a central
-   * difference of fourth order). The relative error is below 1e-7 for gaps of at least a tenth of the
-   * distance of the centres.
+   * is the derivative of the energy -mu_0/2 (m_1 + m_2).H_0 by the separation, radially by a
+   * central difference of fourth order with a step of a thousandth of the distance: meant for gaps
+   * that are much larger than that.
    *
    * @param outer_field  H_0 [A/m].
-   * @throw RunError     if the spheres overlap, or are so close that the reflections do not converge.
+   * @throw RunError     if the spheres overlap, or are too close for the reflections to converge.
    */
   template <int dim>
   TwoSpheresSolution<dim>

@@ -1,4 +1,5 @@
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/utilities.h>
 
 #include <magmpm/io/field_output.h>
 #include <magmpm/io/results.h>
@@ -141,6 +142,10 @@ namespace magmpm
     for (const Body<dim> &body : bodies)
       n_particles += body.particles.size();
     scene.n_particles = dealii::Utilities::MPI::sum(n_particles, communicator);
+    dealii::Utilities::System::MemoryStats memory; // in kilobytes
+    dealii::Utilities::System::get_memory_stats(memory);
+    scene.memory = 1024. *
+                   dealii::Utilities::MPI::sum(static_cast<double>(memory.VmRSS), communicator);
     for (const BodyParameters<dim> &body : parameters.bodies)
       scene.bodies.push_back(
         {body.name, body.density, parameters.material_of(body), parameters.magnetics.law});

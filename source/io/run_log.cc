@@ -136,9 +136,12 @@ namespace magmpm
           << "D, lattice dx = " << with_prefix(scene.lattice_spacing, "m") << ", "
           << with_separators(scene.n_particles) << " particles, ";
     if (scene.potential_unknowns > 0)
-      *both << with_separators(scene.potential_unknowns) << " potential unknowns\n";
+      *both << with_separators(scene.potential_unknowns) << " potential unknowns";
     else
-      *both << "nothing magnetic: no potential\n";
+      *both << "nothing magnetic: no potential";
+    if (scene.memory > 0.)
+      *both << ", " << std::lround(scene.memory / 1e6) << " MB";
+    *both << '\n';
 
     for (const Body &body : scene.bodies)
       *both << "  " << body.name << ": " << mechanics_of(body) << "; " << magnetics_of(body)

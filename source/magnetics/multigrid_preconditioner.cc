@@ -11,6 +11,7 @@
 #include <magmpm/magnetics/multigrid_preconditioner.h>
 #include <magmpm/magnetics/potential_operator.h>
 
+#include <algorithm>
 #include <map>
 #include <optional>
 
@@ -22,22 +23,28 @@ namespace magmpm
     using LevelCell = typename dealii::Triangulation<dim>::cell_iterator;
 
     /**
-     * I + dM/dH on the cells of all levels: at the points of cells without children, and as the mean
-     * over a cell for the others. Cells without an entry are vacuum.
+     * I + dM/dH at the points of the cells of all levels. A point of a cell with children stands for two
+     * of the six points of its children along each axis, and has their weighted mean: surfaces stay
+     * where they are on all levels, which one mean for all points of a cell would blur. Cells without an
+     * entry are vacuum.
      */
     template <int dim>
     class LevelPermeability
     {
     public:
-      using Tensor = dealii::SymmetricTensor<2, dim>;
+      using Tensor  = dealii::SymmetricTensor<2, dim>;
+      using Tensors = std::vector<Tensor>; ///< at the points of a cell
 
       LevelPermeability(const PotentialSpace<dim> &space, const JacobianData<dim> &jacobian)
         : space(space)
-        , jacobian(jacobian)
-        , means(space.mesh.triangulation().n_global_levels())
+        , cells(space.mesh.triangulation().n_global_levels())
       {
-        average_active_cells();
-        for (int level = static_cast<int>(means.size()) - 2; level >= 0; --level)
+        for (const auto &cell : space.mesh.triangulation().active_cell_iterators())
+          if (cell->is_locally_owned())
+            if (const Tensor *values = jacobian.permeability(
+                  space.lattice_cell_of_active_cell[cell->active_cell_index()]))
+              cells[cell->level()][cell->index()] = Tensors(values, values + n_points<dim>);
+        for (int level = static_cast<int>(cells.size()) - 2; level >= 0; --level)
           {
             exchange(level + 1);
             average_children(level);
@@ -46,52 +53,15 @@ namespace magmpm
 
       /** The tensors at the points of a cell of this rank, or a null pointer for vacuum. */
       const Tensor *
-      operator()(const LevelCell<dim> &cell)
+      operator()(const LevelCell<dim> &cell) const
       {
-        if (cell->is_active())
-          return of_active_cell(cell);
-        const auto mean = means[cell->level()].find(cell->index());
-        if (mean == means[cell->level()].end())
-          return nullptr;
-        constant.fill(mean->second);
-        return constant.data();
+        const auto found = cells[cell->level()].find(cell->index());
+        return found == cells[cell->level()].end() ? nullptr : found->second.data();
       }
 
     private:
       const PotentialSpace<dim> &space;
-      const JacobianData<dim> &jacobian;
-      std::vector<std::map<int, Tensor>> means; ///< by level and cell index
-      std::array<Tensor, n_points<dim>> constant;
-
-      /** Of the volume of a cell. */
-      static double
-      point_fraction(int q)
-      {
-        double fraction = 1.;
-        for (int d = 0; d < dim; ++d, q /= n_points_1d)
-          fraction *= 0.5 * CellStencil<dim>::weights_1d[q % n_points_1d];
-        return fraction;
-      }
-
-      const Tensor *
-      of_active_cell(const LevelCell<dim> &cell) const
-      {
-        return jacobian.permeability(space.lattice_cell_of_active_cell[cell->active_cell_index()]);
-      }
-
-      void
-      average_active_cells()
-      {
-        for (const auto &cell : space.mesh.triangulation().active_cell_iterators())
-          if (cell->is_locally_owned())
-            if (const Tensor *values = of_active_cell(cell))
-              {
-                Tensor mean;
-                for (int q = 0; q < n_points<dim>; ++q)
-                  mean += point_fraction(q) * values[q];
-                means[cell->level()][cell->index()] = mean;
-              }
-      }
+      std::vector<std::map<int, Tensors>> cells; ///< by level and cell index
 
       void
       average_children(const int level)
@@ -99,35 +69,58 @@ namespace magmpm
         for (const auto &cell : space.mesh.triangulation().cell_iterators_on_level(level))
           if (cell->has_children() && cell->is_locally_owned_on_level())
             {
-              Tensor mean;
-              bool has_material = false;
-              for (unsigned int c = 0; c < cell->n_children(); ++c)
-                {
-                  const auto found     = means[level + 1].find(cell->child(c)->index());
-                  const bool is_vacuum = found == means[level + 1].end();
-                  has_material         = has_material || !is_vacuum;
-                  mean += (is_vacuum ? dealii::unit_symmetric_tensor<dim>() : found->second) /
-                          cell->n_children();
-                }
-              if (has_material)
-                means[level][cell->index()] = mean;
+              std::array<const Tensor *, power(2, dim)> children;
+              for (unsigned int c = 0; c < children.size(); ++c)
+                children[c] = (*this)(cell->child(c));
+              if (std::all_of(children.begin(), children.end(), [](const Tensor *child) {
+                    return child == nullptr;
+                  }))
+                continue;
+              Tensors &tensors = cells[level][cell->index()];
+              tensors.resize(n_points<dim>);
+              for (int q = 0; q < n_points<dim>; ++q)
+                tensors[q] = mean_at(q, children);
             }
       }
 
-      /** Gives other ranks the means of this level on their level ghosts. Collective. */
+      /** Along an axis, point p of a cell stands for points 2 p and 2 p + 1 of its children. */
+      static Tensor
+      mean_at(const int point, const std::array<const Tensor *, power(2, dim)> &children)
+      {
+        Tensor sum;
+        double total = 0.;
+        for (int part = 0; part < power(2, dim); ++part)
+          {
+            double weight = 1.;
+            int child = 0, point_of_child = 0;
+            for (int d = 0, rest = point; d < dim; ++d, rest /= n_points_1d)
+              {
+                const int fine = 2 * (rest % n_points_1d) + ((part >> d) & 1);
+                child += (fine / n_points_1d) << d;
+                point_of_child += power(n_points_1d, d) * (fine % n_points_1d);
+                weight *= CellStencil<dim>::weights_1d[fine % n_points_1d];
+              }
+            sum += weight * (children[child] == nullptr ? dealii::unit_symmetric_tensor<dim>()
+                                                        : children[child][point_of_child]);
+            total += weight;
+          }
+        return sum / total;
+      }
+
+      /** Gives other ranks the tensors of this level on their level ghosts. Collective. */
       void
       exchange(const int level)
       {
-        std::map<int, Tensor> &of_level = means[level];
-        dealii::GridTools::exchange_cell_data_to_level_ghosts<Tensor>(
+        std::map<int, Tensors> &of_level = cells[level];
+        dealii::GridTools::exchange_cell_data_to_level_ghosts<Tensors>(
           space.mesh.triangulation(),
           [&of_level](const LevelCell<dim> &cell) {
             const auto found = of_level.find(cell->index());
-            return found == of_level.end() ? std::optional<Tensor>()
-                                           : std::optional<Tensor>(found->second);
+            return found == of_level.end() ? std::optional<Tensors>()
+                                           : std::optional<Tensors>(found->second);
           },
-          [&of_level](const LevelCell<dim> &cell, const Tensor &mean) {
-            of_level[cell->index()] = mean;
+          [&of_level](const LevelCell<dim> &cell, const Tensors &tensors) {
+            of_level[cell->index()] = tensors;
           },
           [level](const LevelCell<dim> &cell) { return cell->level() == level; });
       }
@@ -138,7 +131,7 @@ namespace magmpm
     void
     set_jacobian(const PotentialSpace<dim> &space,
                  const OpenBoundary<dim> &boundary,
-                 LevelPermeability<dim> &permeability,
+                 const LevelPermeability<dim> &permeability,
                  PotentialOperator<dim, float> &level_operator)
     {
       const auto cell_of = [&](const unsigned int batch, const unsigned int lane) {
@@ -242,7 +235,7 @@ namespace magmpm
   {
     auto &operators = implementation->operators;
 
-    LevelPermeability<dim> permeability(implementation->space, jacobian);
+    const LevelPermeability<dim> permeability(implementation->space, jacobian);
     dealii::MGLevelObject<typename Implementation::Chebyshev::AdditionalData> parameters(
       operators.min_level(), operators.max_level());
     for (unsigned int level = operators.min_level(); level <= operators.max_level(); ++level)

@@ -83,8 +83,8 @@ namespace
   }
 
   /**
-   * int f over a ball around the origin: over the directions by a product rule (exact for polynomials
-   * of degree 15 in 3D, 31 in 2D), along the radius by Simpson's rule.
+   * int f over a ball around the origin: over the directions by a product rule (exact for
+   * polynomials of degree 15 in 3D, 31 in 2D), along the radius by Simpson's rule.
    */
   template <int dim, typename Function>
   Vector<dim>
@@ -123,9 +123,9 @@ namespace
   }
 } // namespace
 
-// Demagnetizing factors sum to 1, are 1/dim of a sphere, follow the axes when these are exchanged, and
-// of a 2:1 prolate spheroid have the closed form (1 - e^2)/e^3 (artanh e - e); long needles have none
-// along, flat discs 1 across.
+// Demagnetizing factors sum to 1, are 1/dim of a sphere, follow the axes when these are exchanged,
+// and of a 2:1 prolate spheroid have the closed form (1 - e^2)/e^3 (artanh e - e); long needles
+// have none along, flat discs 1 across.
 TEST_CASE("Demagnetizing factors are those of Osborn", "[benchmarks]")
 {
   for (const Vector<3> &axes : {Vector<3>{{1., 2., 3.}}, Vector<3>{{0.1, 5., 0.7}}})
@@ -147,8 +147,8 @@ TEST_CASE("Demagnetizing factors are those of Osborn", "[benchmarks]")
   CHECK(demagnetizing_factors<3>({{1e4, 1e4, 1.}})[2] > 0.999);
 }
 
-// Inside an ellipsoid H + N M(H) = H_0 along every axis, whatever the law; of a linear sphere this is
-// M = chi H_0/(1 + chi/3), and a Langevin sphere in a huge field is saturated.
+// Inside an ellipsoid H + N M(H) = H_0 along every axis, whatever the law; of a linear sphere this
+// is M = chi H_0/(1 + chi/3), and a Langevin sphere in a huge field is saturated.
 TEMPLATE_TEST_CASE_SIG("The field in an ellipsoid fulfils its equation",
                        "[benchmarks]",
                        ((int dim), dim),
@@ -209,9 +209,9 @@ TEMPLATE_TEST_CASE_SIG("The virial of a sphere is that of its surface traction",
     }
 }
 
-// Far from a dipole the force on a sphere is (m.grad) H of its induced moment m; for vanishing chi it is
-// the integral of mu_0 chi (H.grad) H of the dipole's field at any distance; and in 2D, where every
-// harmonic is weakened by the same 2/(chi + 2), this holds at any chi too.
+// Far from a dipole the force on a sphere is (m.grad) H of its induced moment m; for vanishing chi
+// it is the integral of mu_0 chi (H.grad) H of the dipole's field at any distance; and in 2D,
+// where every harmonic is weakened by the same 2/(chi + 2), this holds at any chi too.
 TEMPLATE_TEST_CASE_SIG("The force of a dipole on a sphere has the right limits",
                        "[benchmarks]",
                        ((int dim), dim),
@@ -243,8 +243,8 @@ TEMPLATE_TEST_CASE_SIG("The force of a dipole on a sphere has the right limits",
 }
 
 // Far apart, two spheres attract as the dipoles that the field makes of them; a sphere without
-// susceptibility beside it does not change one; and each sees the other: with both exchanged the moments
-// are exchanged and the force is the opposite one.
+// susceptibility beside it does not change one; and each sees the other: with both exchanged the
+// moments are exchanged and the force is the opposite one.
 TEMPLATE_TEST_CASE_SIG("Two spheres in a field have the right limits",
                        "[benchmarks]",
                        ((int dim), dim),
@@ -279,8 +279,9 @@ TEMPLATE_TEST_CASE_SIG("Two spheres in a field have the right limits",
   CHECK_THROWS_AS(two_spheres_in_uniform_field(overlapping, field), RunError);
 }
 
-// A sphere so small and weak that it is a dipole feels, beside a large one, the force (m.grad) H of the
-// field that the large one makes alone: found once from the energy of both, once from the field.
+// A sphere so small and weak that it is a dipole feels, beside a large one, the force (m.grad) H
+// of the field that the large one makes alone: found once from the energy of both, once from the
+// field.
 TEMPLATE_TEST_CASE_SIG("The two ways to a pair force agree", "[benchmarks]", ((int dim), dim), 2, 3)
 {
   const double chi = 2., radius = 0.1, weak = 0.01, small = 0.01;

@@ -42,9 +42,9 @@ namespace
   }
 } // namespace
 
-// Moment, inner field, surface traction (deviator of the virial), force near a dipole and net force of
-// a sphere of radius 8 dx, chi_0 = 0.91, whose exact values are known; the limits are those that the
-// benchmark magnetic_accuracy holds to, a third or less of the errors of the smeared indicator.
+// Moment, inner field, surface traction (deviator of the virial), force near a dipole and net force
+// of a sphere of radius 8 dx, chi_0 = 0.91. Their exact values are known; the limits are those
+// of the benchmark magnetic_accuracy.
 TEMPLATE_TEST_CASE_SIG("A magnetized sphere is as accurate as promised",
                        "[benchmarks][mpi]",
                        ((int dim), dim),
@@ -54,8 +54,8 @@ TEMPLATE_TEST_CASE_SIG("A magnetized sphere is as accurate as promised",
   CHECK(check_limits(dim, "sphere", sphere_errors<dim>) == 5);
 }
 
-// Two spheres a gap of R/2 apart: the sum of their forces is zero, and each is the exact one, known from
-// multipoles of all degrees.
+// Two spheres a gap of R/2 apart: the sum of their forces is zero, and each is the exact one,
+// known from multipoles of all degrees.
 TEMPLATE_TEST_CASE_SIG("Forces between two bodies are as accurate as promised",
                        "[benchmarks][mpi]",
                        ((int dim), dim),
@@ -65,8 +65,8 @@ TEMPLATE_TEST_CASE_SIG("Forces between two bodies are as accurate as promised",
   CHECK(check_limits(dim, "pair", pair_errors<dim>) == (dim == 3 ? 2 : 1));
 }
 
-// The torque on a spheroid at 45 degrees to the field is mu_0 V M x H_0. A transposed stress would give
-// none of it, or its opposite.
+// The torque on a spheroid at 45 degrees to the field is mu_0 V M x H_0. A transposed stress would
+// give none of it, or its opposite.
 TEST_CASE("The torque on a spheroid is as accurate as promised", "[benchmarks][mpi]")
 {
   CHECK(check_limits(3, "torque", torque_errors<3>) == 1);

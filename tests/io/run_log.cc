@@ -40,6 +40,7 @@ namespace
     scene.lattice_spacing    = 1. / 128.;
     scene.n_particles        = 110592;
     scene.potential_unknowns = 44909;
+    scene.memory             = 412e6;
     scene.bodies             = {cube, drop};
     return scene;
   }
@@ -87,7 +88,7 @@ TEST_CASE("terminal and log.txt hold the same header, from rank 0 alone", "[io][
   else
     {
       const std::string expected =
-        "  3D, lattice dx = 7.81 mm, 110,592 particles, 44,909 potential unknowns\n"
+        "  3D, lattice dx = 7.81 mm, 110,592 particles, 44,909 potential unknowns, 412 MB\n"
         "  cube: elastic, wave speed 22.8 m/s; Langevin, chi_0 = 0.912, saturation 82.3 kA/m\n"
         "  drop: fluid, sound speed 31.6 m/s, viscosity 10 mPa s; not magnetic\n";
       CHECK(terminal.str().find(version_string()) == 0);

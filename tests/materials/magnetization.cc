@@ -65,6 +65,11 @@ TEMPLATE_TEST_CASE_SIG("the magnetic tangent is the derivative and the coenergy 
       const MagneticResponse<dim> response = magnetic_response(law, paper, field);
       const Vector<dim> alone              = magnetization(law, paper, field);
       const double step                    = 1e-4 * a / k2;
+      Vector<dim> along                    = direction<dim>();
+      along[0] += 0.7; // not the direction of the field
+      const DirectionalResponse projected = directional_response(law, paper, along, field);
+      CHECK(projected.magnetization == Approx(dot(along, response.magnetization)).epsilon(1e-13));
+      CHECK(projected.slope == Approx(dot(along, response.tangent * along)).epsilon(1e-12));
       for (int j = 0; j < dim; ++j)
         {
           CHECK(alone[j] == Approx(response.magnetization[j]).epsilon(1e-13));

@@ -38,6 +38,7 @@ namespace magmpm
       double lattice_spacing           = 0.; ///< dx [m]
       unsigned long n_particles        = 0;  ///< of all ranks
       unsigned long potential_unknowns = 0;  ///< 0: no magnetic material
+      double memory                    = 0.; ///< in use, of all ranks [bytes]; 0: not known
       std::vector<Body> bodies;
     };
 

@@ -37,28 +37,28 @@ namespace magmpm
       constexpr int max_iterations = 60; // halving alone reaches the tolerance
       constexpr double tolerance   = 1e-13;
 
-      double jump = 0.;
-      double end  = 0.; // -b, once it is known
-      double low = 0., high = 0.;
+      double jump = 0., start = 0., low = 0., high = 0.;
       for (int i = 0; i < max_iterations; ++i)
         {
-          const Vector<dim> inside             = field + ((1. - fraction) * jump) * normal;
-          const MagneticResponse<dim> response = magnetic_response<dim>(law, content, inside);
-          const double value                   = jump + dot(normal, response.magnetization);
+          const Vector<dim> inside = field + ((1. - fraction) * jump) * normal;
+          const DirectionalResponse response =
+            directional_response<dim>(law, content, normal, inside);
+          const double value = jump + response.magnetization;
           if (i == 0)
             {
-              end  = -value;
-              low  = std::min(end, 0.);
-              high = std::max(end, 0.);
+              start = std::abs(value);
+              low   = std::min(-value, 0.);
+              high  = std::max(-value, 0.);
             }
           (value > 0. ? high : low) = jump;
-          const double slope        = 1. + (1. - fraction) * dot(normal, response.tangent * normal);
-          double next               = jump - value / slope;
-          if (!(next >= low && next <= high))
+          double next               = jump - value / (1. + (1. - fraction) * response.slope);
+          const bool is_newton      = next >= low && next <= high;
+          if (!is_newton)
             next = 0.5 * (low + high);
           const double change = std::abs(next - jump);
           jump                = next;
-          if (change <= tolerance * std::abs(end))
+          // After a Newton step the error is of the order of the square of the change.
+          if (change <= (is_newton ? 1e-7 : tolerance) * start)
             break;
         }
       return jump;

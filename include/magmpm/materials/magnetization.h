@@ -86,6 +86,34 @@ namespace magmpm
                                            : internal::langevin_response(content, field);
   }
 
+  /** d.M [A/m] and d.(dM/dH) d for a vector d, cheaper than all of M and its derivative. */
+  struct DirectionalResponse
+  {
+    double magnetization;
+    double slope;
+  };
+
+  template <int dim>
+  inline DirectionalResponse
+  directional_response(const MagnetizationLaw law,
+                       const MagneticContent &content,
+                       const Vector<dim> &direction,
+                       const Vector<dim> &field)
+  {
+    const double along  = dot(direction, field);
+    const double square = norm_square(direction);
+    if (law == MagnetizationLaw::linear)
+      return {content.initial_susceptibility * along, content.initial_susceptibility * square};
+    if (!content.is_magnetic())
+      return {0., 0.};
+    const Vector<dim> a    = internal::langevin_argument(content, field);
+    const auto langevin    = langevin_function<false>(norm_square(a));
+    const double chi       = 3. * content.initial_susceptibility;
+    const double projected = dot(direction, a);
+    return {chi * langevin.over_argument * along,
+            chi * (langevin.over_argument * square - langevin.anisotropy * projected * projected)};
+  }
+
   /** M [A/m] alone, cheaper. */
   template <int dim>
   inline Vector<dim>
