@@ -2,7 +2,7 @@
 """The magnetized cube that hits a magnet, parameter_files/cube_nonlinear.prm: what lattice spacing,
 time step and the trigger of a new magnetic solve cost, and what they change of the impact.
 
-impact_speed.py PATH/OF/magmpm [--end-time 0.15] [--ranks 2] [--only spacing step trigger]
+impact_speed.py PATH/OF/magmpm [--end-time 0.17] [--ranks 2] [--only spacing step trigger]
 """
 
 import argparse
@@ -73,7 +73,10 @@ def impact(path):
     if top == len(speeds) - 1:
         sys.exit("impact_speed: the cube has not hit the magnet yet; give a later --end-time")
     when, speed = parabola_peak(middles[top - 1:top + 2], speeds[top - 1:top + 2])
-    return {"time": when, "speed": speed, "min J": min(column(rows, "min J")),
+    volumes = column(rows, "min J")
+    if min(volumes) == volumes[-1]:
+        sys.exit("impact_speed: the cube is still being compressed; give a later --end-time")
+    return {"time": when, "speed": speed, "min J": min(volumes),
             "steps": len(rows), "solves": int(column(rows, "magnetic solves")[-1])}
 
 
@@ -114,7 +117,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program", help="magmpm")
-    parser.add_argument("--end-time", type=float, default=0.15, help="[s]")
+    parser.add_argument("--end-time", type=float, default=0.17, help="[s]")
     parser.add_argument("--ranks", type=int, default=2)
     parser.add_argument("--cells", type=int, default=64, help="1/dx of steps and triggers [1/m]")
     parser.add_argument("--finest", type=int, default=128, help="largest 1/dx of spacings [1/m]")
