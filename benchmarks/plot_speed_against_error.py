@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draws what speed_against_error wrote: error of moment and force against wall time.
+"""Draws what speed_against_error wrote: error of moment and force against time.
 
 plot_speed_against_error.py [speed_against_error.csv] [speed_against_error.png] [cold|warm]
 """

@@ -1,4 +1,4 @@
-// Wall time of the magnetic part against its error: magmpm with each preconditioner, cell size and
+// Time of the magnetic part against its error: magmpm with each preconditioner, cell size and
 // indicator, and the scheme of the paper, all on one core, taking turns, on the same particles.
 //
 //   speed_against_error [--help]

@@ -1,10 +1,13 @@
 #pragma once
 
-#include <chrono>
+#include <ctime>
 
 namespace magmpm::benchmarks
 {
-  /** Wall time since it was made. */
+  /**
+   * Time that this program has spent computing since the watch was made: with one thread, the wall
+   * time of a core of its own. On a shared machine wall time also has what others took.
+   */
   class Stopwatch
   {
   public:
@@ -12,11 +15,18 @@ namespace magmpm::benchmarks
     double
     seconds() const
     {
-      return std::chrono::duration<double>(Clock::now() - start).count();
+      return now() - start;
     }
 
   private:
-    using Clock                   = std::chrono::steady_clock;
-    const Clock::time_point start = Clock::now();
+    const double start = now();
+
+    static double
+    now()
+    {
+      std::timespec time;
+      clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+      return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+    }
   };
 } // namespace magmpm::benchmarks
