@@ -130,9 +130,11 @@ namespace
         std::cout << speed_usage();
         return;
       }
-    std::cout << version_string() << "\nchi_0 = " << options.medium.susceptibility
-              << ", a = " << options.medium.argument << ", Newton tolerance " << options.tolerance
-              << ", one core; rms errors over the runs, the best times of them" << std::endl;
+    std::cout
+      << version_string() << "\nchi_0 = " << options.medium.susceptibility
+      << ", a = " << options.medium.argument << ", Newton tolerance " << options.tolerance
+      << ", one thread.\nErrors: rms over the runs; s: the best of them, of computing time; "
+      << "ns/(u i): wall time of CG per unknown and iteration" << std::endl;
     SpeedTable table(std::cout, options.csv_file);
     for (const SceneKind scene : options.scenes)
       measure_scene(scene, options, table);

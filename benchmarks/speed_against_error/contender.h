@@ -13,8 +13,8 @@ namespace magmpm::benchmarks
   /** What one solve took. */
   struct SolveCost
   {
-    double seconds    = 0.; ///< of wall time, the whole magnetic part
-    double cg_seconds = 0.; ///< of these in CG, without setting up preconditioners
+    double seconds    = 0.; ///< of one core, the whole magnetic part
+    double cg_seconds = 0.; ///< wall time of CG, without setting up preconditioners
     int newton_steps  = 0;
     int cg_iterations = 0;
   };
