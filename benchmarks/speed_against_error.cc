@@ -134,7 +134,7 @@ namespace
       << version_string() << "\nchi_0 = " << options.medium.susceptibility
       << ", a = " << options.medium.argument << ", Newton tolerance " << options.tolerance
       << ", one thread.\nErrors: rms over the runs; s: the best of them, of computing time; "
-      << "ns/(u i): wall time of CG per unknown and iteration" << std::endl;
+      << "ns/(u i): warm time per unknown and CG iteration" << std::endl;
     SpeedTable table(std::cout, options.csv_file);
     for (const SceneKind scene : options.scenes)
       measure_scene(scene, options, table);

@@ -140,15 +140,6 @@ namespace magmpm::benchmarks
   }
 
   template <int dim>
-  double
-  MagneticScene<dim>::seconds_in(const std::string &section) const
-  {
-    const auto seconds = timer->get_summary_data(dealii::TimerOutput::total_wall_time);
-    const auto found   = seconds.find(section);
-    return found == seconds.end() ? 0. : found->second;
-  }
-
-  template <int dim>
   NodeField<dim>
   MagneticScene<dim>::magnetic_content()
   {

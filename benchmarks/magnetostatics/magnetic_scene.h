@@ -10,7 +10,6 @@
 #include <mpi.h>
 
 #include <memory>
-#include <string>
 #include <vector>
 
 namespace magmpm::benchmarks
@@ -68,13 +67,6 @@ namespace magmpm::benchmarks
     /** The medium of this rank at the quadrature points; sampled when first asked for. */
     const std::vector<MaterialSample<dim>> &
     samples() const;
-
-    /**
-     * Wall time spent so far in a section of the timing table, such as "Solve potential: CG", of this
-     * rank [s]; zero for one that was never entered.
-     */
-    double
-    seconds_in(const std::string &section) const;
 
     /**
      * The integral of f(sample) over the box.

@@ -14,7 +14,6 @@ namespace magmpm::benchmarks
   struct SolveCost
   {
     double seconds    = 0.; ///< of one core, the whole magnetic part
-    double cg_seconds = 0.; ///< wall time of CG, without setting up preconditioners
     int newton_steps  = 0;
     int cg_iterations = 0;
   };

@@ -37,7 +37,7 @@ namespace magmpm::benchmarks
     int n_runs                    = 0;
     unsigned long long n_unknowns = 0;
 
-    /** Of CG, in the fastest cold run. */
+    /** The fastest warm run over its CG iterations: what is no CG is counted with it. */
     double
     nanoseconds_per_unknown_and_iteration() const;
 

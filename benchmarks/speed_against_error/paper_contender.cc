@@ -46,7 +46,7 @@ namespace magmpm::benchmarks
     SolveCost
     cost(const paper_scheme::Report &report, const double seconds)
     {
-      return {seconds, report.cg_seconds, report.newton.steps, report.newton.linear_iterations};
+      return {seconds, report.newton.steps, report.newton.linear_iterations};
     }
 
     Outcome
