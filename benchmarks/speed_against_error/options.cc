@@ -11,7 +11,8 @@ namespace magmpm::benchmarks
   namespace
   {
     const std::map<std::string, std::vector<SceneKind>> scenes_by_name = {
-      {"sphere", {SceneKind::sphere_in_uniform_field, SceneKind::sphere_near_dipole}},
+      {"sphere", {SceneKind::sphere_in_uniform_field}},
+      {"dipole", {SceneKind::sphere_near_dipole}},
       {"cube", {SceneKind::cube_near_magnet}}};
 
     double
@@ -77,7 +78,7 @@ namespace magmpm::benchmarks
         else if (scenes_by_name.count(value) == 1)
           options.scenes = scenes_by_name.at(value);
         else
-          throw InputError("'" + value + "' cannot follow --only. Write sphere or cube.");
+          throw InputError("'" + value + "' cannot follow --only. Write sphere, dipole or cube.");
       }
     return options;
   }
@@ -86,7 +87,8 @@ namespace magmpm::benchmarks
   speed_usage()
   {
     return "speed_against_error [OPTION VALUE ...]\n"
-           "  --only sphere|cube     scenes; otherwise both\n"
+           "  --only SCENE           sphere (in a uniform field), dipole (near a sphere) or cube; otherwise\n"
+           "                         all three\n"
            "  --max-resolution N     R/dx at most (16); R is half the edge of a cube\n"
            "  --max-seconds S        what takes longer (cold) is left out on finer lattices (10)\n"
            "  --repetitions N        of each measurement at small R/dx, each at another place (4)\n"
