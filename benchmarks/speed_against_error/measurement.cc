@@ -120,10 +120,11 @@ namespace magmpm::benchmarks
         target, log_error[first - 1], log_time[first - 1], log_error[first], log_time[first]));
     else
       {
-        // A line that time and error do not rise and fall along says nothing; nor one too far.
+        // Nothing is to be said of an error that no longer falls, nor of one that is too far.
         constexpr double farthest = 3.;
+        const double falling      = std::log(0.95);
         result.kind               = TimeToError::Kind::extrapolated;
-        if (log_error.size() >= 3)
+        if (log_error.size() >= 3 && log_error.back() < log_error[log_error.size() - 2] + falling)
           {
             result.error_step = std::exp(log_error.back() - target);
             // Parallel to the fitted line through the finest.

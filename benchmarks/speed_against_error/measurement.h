@@ -67,7 +67,7 @@ namespace magmpm::benchmarks
   /**
    * The time to come down to an @p error and stay there: the line through time and error, both as
    * logarithms, between the last lattice that is above the error and the next. Beyond the finest
-   * lattice the straight line that fits all of them best goes on.
+   * lattice the straight line that fits all of them best goes on, if the error still falls.
    *
    * @param series  of one contender, by growing resolution.
    * @param member  which error.

@@ -52,6 +52,11 @@ TEST_CASE("Time to an error is read off the line through the logarithms", "[benc
   CHECK(beyond.text() == "0.64 (extrapolated 2.0x)");
 
   CHECK(cold_time(power, 0.005).text() == "not reached");
+
+  // It stays where it is.
+  const std::vector<Measurement> flat = {
+    measurement(2, 0.01, 0.1), measurement(4, 0.04, 0.0201), measurement(8, 0.16, 0.02)};
+  CHECK(cold_time(flat, 0.015).text() == "not reached");
 }
 
 // A measurement that happens to be good between worse ones, as where two errors cancel. It does not
