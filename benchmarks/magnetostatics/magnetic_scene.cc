@@ -126,8 +126,17 @@ namespace magmpm::benchmarks
     node_force.reinit(partition.blocks().size());
     potential.compute_force(mass, node_force);
     hand_force_to_particles(mass);
-    medium = potential.material_samples();
+    medium.clear();
     return report;
+  }
+
+  template <int dim>
+  const std::vector<MaterialSample<dim>> &
+  MagneticScene<dim>::samples() const
+  {
+    if (medium.empty())
+      medium = potential.material_samples();
+    return medium;
   }
 
   template <int dim>

@@ -64,12 +64,9 @@ namespace magmpm::benchmarks
     Matrix<dim>
     virial_of_particles(const Vector<dim> &centre) const;
 
-    /** The medium of this rank at the quadrature points. */
+    /** The medium of this rank at the quadrature points; sampled when first asked for. */
     const std::vector<MaterialSample<dim>> &
-    samples() const
-    {
-      return medium;
-    }
+    samples() const;
 
     /**
      * The integral of f(sample) over the box.
@@ -81,7 +78,7 @@ namespace magmpm::benchmarks
     integral(const Function &f) const
     {
       Value sum = {};
-      for (const MaterialSample<dim> &sample : medium)
+      for (const MaterialSample<dim> &sample : samples())
         sum += sample.weight * f(sample);
       return sum_over_ranks(sum);
     }
@@ -103,7 +100,7 @@ namespace magmpm::benchmarks
 
     std::vector<Body<dim>> bodies;
     NodeField<dim> node_force;
-    std::vector<MaterialSample<dim>> medium;
+    mutable std::vector<MaterialSample<dim>> medium; ///< empty: not asked for since the last solve
 
     void
     seed(const PointBody<dim> &point_body);
