@@ -10,80 +10,45 @@ namespace magmpm
     constexpr double gauss_distance = 0.774596669241483377; // sqrt(3/5)
 
     /**
-     * out(.., o, ..) = sum_i matrix(o, i) in(.., i, ..) along one axis.
-     *
-     * @param n_inner  values that lie between neighbours on the axis (lanes and faster axes).
-     * @param n_outer  repetitions (slower axes).
+     * out(.., o, ..) = sum_i matrix(axis, o, i) in(.., i, ..) along @p axis and, from there, all slower
+     * ones: n_in values become n_out. Sizes are known to the compiler, which makes straight code of it.
      */
-    template <int n_in, int n_out, typename Matrix1D>
+    template <int dim, int n_in, int n_out, int axis = 0, typename Matrix>
     void
-    contract(const Matrix1D &matrix,
-             const double *in,
-             const int n_inner,
-             const int n_outer,
-             double *out)
+    contract(const Matrix &matrix, const double *__restrict in, double *__restrict out)
     {
-      for (int outer = 0; outer < n_outer; ++outer, in += n_in * n_inner, out += n_out * n_inner)
+      // Lanes and faster axes lie between neighbours on the axis; slower axes are repetitions.
+      constexpr int n_inner = n_lanes * power(n_out, axis);
+      constexpr int n_outer = power(n_in, dim - 1 - axis);
+      double buffer[axis == dim - 1 ? 1 : n_inner * n_out * n_outer];
+      double *__restrict rows = (axis == dim - 1 ? out : buffer);
+      for (int outer = 0; outer < n_outer; ++outer)
         for (int o = 0; o < n_out; ++o)
           {
-            std::fill_n(out + o * n_inner, n_inner, 0.);
+            double *__restrict row = rows + (outer * n_out + o) * n_inner;
+            std::fill_n(row, n_inner, 0.);
             for (int i = 0; i < n_in; ++i)
               {
-                const double factor = matrix(o, i);
+                const double factor = matrix(axis, o, i);
+                const double *term  = in + (outer * n_in + i) * n_inner;
                 if (factor != 0.)
                   for (int k = 0; k < n_inner; ++k)
-                    out[o * n_inner + k] += factor * in[i * n_inner + k];
+                    row[k] += factor * term[k];
               }
           }
+      if constexpr (axis < dim - 1)
+        contract<dim, n_in, n_out, axis + 1>(matrix, buffer, out);
     }
 
-    /** Values at points from those of nodes; @p matrix(axis, point, node). */
-    template <int dim, typename Matrix>
-    void
-    contract_nodes(const StencilValues<dim> &values, const Matrix &matrix, PointValues<dim> &result)
-    {
-      StencilValues<dim> buffer[2];
-      const double *in = values.data();
-      int n_inner      = n_lanes;
-      for (int axis = 0; axis < dim; ++axis)
-        {
-          double *out       = (axis == dim - 1 ? result.data() : buffer[axis % 2].data());
-          const int n_outer = power(stencil_edge, dim - 1 - axis);
-          contract<stencil_edge, n_points_1d>(
-            [&](const int point, const int node) { return matrix(axis, point, node); },
-            in,
-            n_inner,
-            n_outer,
-            out);
-          in = out;
-          n_inner *= n_points_1d;
-        }
-    }
-
-    /** Adds the values of points to nodes; @p matrix(axis, point, node). */
+    /** Adds the values of points to nodes; @p matrix(axis, node, point). */
     template <int dim, typename Matrix>
     void
     add_transposed(const PointValues<dim> &values, const Matrix &matrix, StencilValues<dim> &result)
     {
-      // Sizes shrink and grow axis by axis; the largest intermediate array is that of the nodes.
-      StencilValues<dim> buffer[2];
-      const double *in = values.data();
-      int n_inner      = n_lanes;
-      for (int axis = 0; axis < dim; ++axis)
-        {
-          double *out       = buffer[axis % 2].data();
-          const int n_outer = power(n_points_1d, dim - 1 - axis);
-          contract<n_points_1d, stencil_edge>(
-            [&](const int node, const int point) { return matrix(axis, point, node); },
-            in,
-            n_inner,
-            n_outer,
-            out);
-          in = out;
-          n_inner *= stencil_edge;
-        }
+      StencilValues<dim> sum;
+      contract<dim, n_points_1d, stencil_edge>(matrix, values.data(), sum.data());
       for (int i = 0; i < n_stencil_nodes<dim> * n_lanes; ++i)
-        result[i] += in[i];
+        result[i] += sum[i];
     }
   } // namespace
 
@@ -185,10 +150,10 @@ namespace magmpm
   void
   CellStencil<dim>::interpolate(const StencilValues<dim> &values, PointValues<dim> &result) const
   {
-    contract_nodes<dim>(
-      values,
+    contract<dim, stencil_edge, n_points_1d>(
       [this](const int, const int point, const int node) { return value_matrix[point][node]; },
-      result);
+      values.data(),
+      result.data());
   }
 
   template <int dim>
@@ -197,12 +162,12 @@ namespace magmpm
                                            const int derivative_axis,
                                            PointValues<dim> &result) const
   {
-    contract_nodes<dim>(
-      values,
+    contract<dim, stencil_edge, n_points_1d>(
       [this, derivative_axis](const int axis, const int point, const int node) {
         return axis == derivative_axis ? derivative_matrix[point][node] : value_matrix[point][node];
       },
-      result);
+      values.data(),
+      result.data());
   }
 
   template <int dim>
@@ -211,7 +176,7 @@ namespace magmpm
   {
     add_transposed<dim>(
       values,
-      [this](const int, const int point, const int node) { return value_matrix[point][node]; },
+      [this](const int, const int node, const int point) { return value_matrix[point][node]; },
       result);
   }
 
@@ -223,7 +188,7 @@ namespace magmpm
   {
     add_transposed<dim>(
       values,
-      [this, derivative_axis](const int axis, const int point, const int node) {
+      [this, derivative_axis](const int axis, const int node, const int point) {
         return axis == derivative_axis ? derivative_matrix[point][node] : value_matrix[point][node];
       },
       result);
