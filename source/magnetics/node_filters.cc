@@ -29,7 +29,7 @@ namespace magmpm
           }
       }
 
-      /** @param missing  value in all lanes of nodes that are not active. */
+      /** Nodes that are not active count as zero. */
       void
       gather(const NodeField<dim> &field,
              const BlockSet<dim> &blocks,

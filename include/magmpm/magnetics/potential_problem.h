@@ -38,8 +38,8 @@ namespace magmpm
    * The magnetic scalar potential of the scene: finds phi with h = -grad phi, H = H_ext + h and
    *   div(h + M(H)) = 0,
    * Eq. (13) of Sun et al. 2021, with FE_Q(2) on the mesh of the potential box, open or shielded faces,
-   * Newton's method with the exact tangent, and CG preconditioned by multigrid or ML. Sees material
-   * as node fields only.
+   * Newton's method with the exact tangent, and CG preconditioned by geometric or algebraic
+   * multigrid. Sees material as node fields only.
    *
    * In 2D everything is infinite along z: forces are per metre of depth.
    */
@@ -60,7 +60,7 @@ namespace magmpm
      *
      * @param content  on the nodes of the active blocks, ghosts updated: lanes {volume fraction v [-],
      *                 density of saturation magnetization [A/m], of initial susceptibility [-], of
-     *                 grains [1/m^3]}, that is the sum over particles of N_i V_0 {1, M_s, chi_0, n} over dx^dim.
+     *                 grains [1/m^3]}: the sum over particles of N_i V_0 {J, M_s, chi_0, n} over dx^dim.
      * @throw RunError if Newton's method or CG does not converge, with the residuals.
      */
     SolveReport

@@ -18,9 +18,10 @@ namespace magmpm
 {
   /**
    * The p4est mesh of the potential box, aligned with the lattice. Where material is, cells have an
-   * edge of 2 dx, so that the support points of FE_Q(2) are the lattice nodes; they coarsen 2:1 away
-   * from it. The 2^dim such cells of one parent are a block (edge 4 dx), which p4est keeps on one
-   * rank: the mesh is the one partition of blocks, nodes and particles.
+   * edge of 2 dx, so that the support points of FE_Q(2) are the lattice nodes, or of dx; they coarsen
+   * 2:1 away from it. The 2^dim cells of edge 2 dx of one parent are a block (edge 4 dx), which p4est
+   * keeps on one rank, as the weights of the cells do with the 4^dim of edge dx: the mesh is the one
+   * partition of blocks, nodes and particles.
    *
    * A cell's place on the lattice is integer arithmetic: lattice.nearest_node(vertex 0) is its
    * lower node, its edge a power of two times dx.
