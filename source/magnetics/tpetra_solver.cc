@@ -80,7 +80,7 @@ namespace magmpm
       // steps it can stay so far below that the smoother diverges and CG breaks down.
       parameters.set("smoother: type", "CHEBYSHEV");
       Teuchos::ParameterList &smoother = parameters.sublist("smoother: params");
-      smoother.set("chebyshev: degree", 3);
+      smoother.set("chebyshev: degree", 4);
       smoother.set("chebyshev: ratio eigenvalue", 20.);
       smoother.set("chebyshev: min eigenvalue", 1.);
       smoother.set("chebyshev: zero starting solution", true);

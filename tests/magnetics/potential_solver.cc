@@ -115,7 +115,7 @@ TEST_CASE("A kept preconditioner does not keep the Jacobian", "[magnetics][mpi]"
 }
 
 // Multigrid needs a number of iterations that hardly depends on the susceptibility. With the sharp surface
-// these are, from 1 to 1000, 6 to 13 of geometric multigrid, 16 to 25 of ML and 19 to 30 of MueLu; a medium
+// these are, from 1 to 1000, 6 to 13 of geometric multigrid, 16 to 25 of ML and 17 to 26 of MueLu; a medium
 // smeared over 2 dx takes a third less at 1000.
 TEST_CASE("CG takes few iterations up to a susceptibility of 1000", "[magnetics][mpi]")
 {
