@@ -223,7 +223,7 @@ namespace magmpm
     if (trigger.trigger == Trigger::every_n_steps)
       return state.step % trigger.n_steps == 0;
     // After the first solve the rate of the force is not known yet: the second one comes soon.
-    const double tolerated = (state.n_solves == 1 ? 0.1 : 1.) * trigger.moved_fraction *
+    const double tolerated = (state.n_solves == 1 ? 0.5 : 1.) * trigger.moved_fraction *
                              parameters.lattice.spacing;
     // The sum of the steps is cheap to have and never too short; vibrations make it too long.
     if (drift_since_solve > tolerated)
@@ -232,6 +232,10 @@ namespace magmpm
         for (const Body<dim> &body : bodies)
           drift_since_solve = std::max(drift_since_solve, way_since_solve(body));
         drift_since_solve = dealii::Utilities::MPI::max(drift_since_solve, communicator);
+        // A motion that turned back is a vibration: its way says nothing about the force.
+        if (drift_since_solve <= tolerated)
+          for (Body<dim> &body : bodies)
+            hold_carried_force(carried_way, body);
       }
     const auto change = external_field.change_since_remembered();
     return drift_since_solve > tolerated || change.displacement > tolerated ||

@@ -1,5 +1,7 @@
 #include <magmpm/particles/carried_force.h>
 
+#include <algorithm>
+
 namespace magmpm
 {
   namespace
@@ -63,10 +65,22 @@ namespace magmpm
       }
   }
 
+  template <int dim>
+  void
+  hold_carried_force(const double way, Body<dim> &body)
+  {
+    advance_carried_force(-way, body);
+    for (int d = 0; d < dim && body.magnetic.is_magnetic(); ++d)
+      std::fill_n(body.particles.component(ParticleProperty::magnetic_acceleration_rate, d),
+                  body.particles.size(),
+                  0.);
+  }
+
 #define INSTANTIATE(dim)                                                   \
   template void recall_carried_force<dim>(const double, Body<dim> &);      \
   template void set_rate_of_carried_force<dim>(const double, Body<dim> &); \
-  template void advance_carried_force<dim>(const double, Body<dim> &);
+  template void advance_carried_force<dim>(const double, Body<dim> &);     \
+  template void hold_carried_force<dim>(const double, Body<dim> &);
 
   INSTANTIATE(2)
   INSTANTIATE(3)

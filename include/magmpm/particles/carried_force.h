@@ -29,6 +29,11 @@ namespace magmpm
   void
   set_rate_of_carried_force(const double way, Body<dim> &body);
 
+  /** Goes back to the acceleration of the last solve and keeps it. @param way  as for recall. */
+  template <int dim>
+  void
+  hold_carried_force(const double way, Body<dim> &body);
+
   /** @param way  in a step [m]. */
   template <int dim>
   void
