@@ -1,11 +1,10 @@
 #pragma once
 
 #include <magmpm/boundary/lattice_boundary.h>
+#include <magmpm/domain_decomposition.h>
 #include <magmpm/io/parameters.h>
 #include <magmpm/io/results.h>
 #include <magmpm/magnets/external_field.h>
-#include <magmpm/mesh/background_mesh.h>
-#include <magmpm/mesh/block_partition.h>
 #include <magmpm/particles/body.h>
 #include <magmpm/particles/particle_grid_transfer.h>
 #include <magmpm/particles/particle_sort.h>
@@ -26,7 +25,7 @@ namespace dealii
 namespace magmpm
 {
   template <int dim>
-  class PotentialProblem;
+  class MagneticCoupling;
 
   /**
    * A scene from its parameters to its results: the time loop of Sun et al. 2021, section 4.3, and
@@ -44,6 +43,10 @@ namespace magmpm
     run();
 
   private:
+    /** Empty ones, as at the start: the mesh, its blocks, and the potential problem on them. */
+    void
+    set_up_decomposition();
+
     void
     seed_bodies();
 
@@ -54,35 +57,9 @@ namespace magmpm
     void
     regroup_particles();
 
+    /** Solves the potential if the force that particles carry no longer serves, Eqs. (25-33). */
     void
-    migrate_to_owners(const OccupiedBlocks<dim> &occupied);
-
-    bool
-    solve_is_due();
-
-    /** Solves the potential and lets the particles carry the force, Eqs. (25-33). */
-    void
-    solve_magnetics();
-
-    /** The densities of grains on the nodes, summed over the ranks, ghosts up to date. */
-    NodeField<dim>
-    magnetic_content();
-
-    /** Finds the potential of @p content, Eqs. (25)-(30). */
-    void
-    solve_potential(const NodeField<dim> &content);
-
-    /** Accelerations of the nodes [m/s^2] from forces [N] and masses, in place. */
-    void
-    forces_to_accelerations(const NodeField<dim> &masses, NodeField<dim> &force) const;
-
-    /** Lets the force that particles carry follow the motion since the last solve. */
-    void
-    advance_force();
-
-    /** Gives particles the accelerations of the nodes [m/s^2], and their rate of change. */
-    void
-    carry_force(const NodeField<dim> &accelerations);
+    update_magnetics();
 
     /** P2G of momentum and mass, summed over the ranks. */
     void
@@ -115,22 +92,16 @@ namespace magmpm
 
     ExternalField<dim> external_field;
     LatticeBoundary<dim> boundary;
-    BackgroundMesh<dim> mesh;
-    BlockPartition<dim> partition;
     const TimeStepControl time_step_control;
+    std::unique_ptr<DomainDecomposition<dim>> decomposition;
+    std::unique_ptr<MagneticCoupling<dim>> magnetics; ///< null without magnetic material
 
     std::vector<Body<dim>> bodies;
     NodeField<dim> lattice_field; ///< {momentum or velocity, mass}
 
-    std::unique_ptr<PotentialProblem<dim>> magnetics; ///< null without magnetic material
-
     RunState state;
     StepConditions step_conditions;
-    double typical_particle_mass    = 0.; ///< [kg]
-    unsigned int mesh_of_last_solve = 0;  ///< its revision
-    double drift_since_sort         = 0.; ///< the longest way a particle can have gone [m]
-    double drift_since_solve        = 0.; ///< the same of magnetic particles, or more [m]
-    double path_since_solve         = 0.; ///< the sum of the steps of the fastest particles [m]
-    double carried_way              = 0.; ///< for which the carried force was advanced [m]
+    double typical_particle_mass = 0.; ///< [kg]
+    double drift_since_sort      = 0.; ///< the longest way a particle can have gone [m]
   };
 } // namespace magmpm

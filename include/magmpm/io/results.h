@@ -3,8 +3,8 @@
 #include <magmpm/io/parameters.h>
 #include <magmpm/io/particle_output.h>
 #include <magmpm/io/run_log.h>
+#include <magmpm/io/run_state.h>
 #include <magmpm/io/statistics_file.h>
-#include <magmpm/magnetics/solve_report.h>
 #include <magmpm/particles/body.h>
 #include <magmpm/particles/particle_sums.h>
 
@@ -32,34 +32,6 @@ namespace magmpm
   class NodeField;
   template <int dim>
   class ExternalField;
-
-  /** Where a run is, and what its last step and solve did. */
-  struct RunState
-  {
-    double time        = 0.; ///< [s]
-    unsigned int step  = 0;
-    unsigned int frame = 0;
-
-    double time_step  = 0.; ///< of the last step [s]
-    std::string limit = "none";
-
-    /** The same of the last step that was not cut short to meet a frame. */
-    double full_time_step  = 0.;
-    std::string full_limit = "none";
-
-    std::size_t lost_particles     = 0; ///< so far, all ranks
-    std::size_t migrated_particles = 0; ///< so far, all ranks
-
-    double max_speed = 0.; ///< of a particle in the last step [m/s]
-
-    unsigned int n_solves           = 0; ///< of the potential, so far
-    unsigned int step_of_last_solve = 0;
-    bool solved_this_step           = false;
-    SolveReport last_solve;
-
-    /** The force at the last solve that fell on no mass and reaches no particle [N]. */
-    double dropped_magnetic_force = 0.;
-  };
 
   /**
    * The output folder of a run: original.prm, parameters.prm, log.txt, statistics.csv, and the
