@@ -91,7 +91,7 @@ namespace magmpm
   {
     const double next_frame = std::min((state.frame + 1) * parameters.output.frame_interval,
                                        parameters.end_time);
-    const TimeStep step     = time_step_control.next_step(step_conditions, next_frame - state.time);
+    const TimeStep step     = time_step_control.next_step(step_conditions, state.time, next_frame);
     state.time_step         = step.length;
     state.limit             = step.limit;
     if (step.limit != frame_end_limit || state.step == 0)
@@ -158,7 +158,11 @@ namespace magmpm
       {
         const Body<dim> &body = bodies[extremes.size()];
         extremes.push_back(
-          {sums.max_speed, sums.max_speed + undeformed_wave_speed(body), 0., 1., 1.});
+          {sums.max_speed,
+           sums.max_speed + undeformed_wave_speed(body),
+           sums.max_affine_velocity,
+           1.,
+           1.});
       }
     update_step_conditions(extremes);
   }

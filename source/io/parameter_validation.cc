@@ -403,14 +403,12 @@ namespace magmpm
     check_times(const ParameterRegister &declarations, const Parameters<dim> &parameters)
     {
       const TimeStepParameters &step = parameters.time_step;
-      if (!step.adaptive)
-        {
-          check_given(declarations, "Time step", {"Fixed step"}, {}, "Time step/Kind = fixed");
-          if (step.fixed_step > parameters.output.frame_interval)
-            throw declarations.error("Time step/Fixed step",
-                                     "it must not be longer than Output/Frame interval (" +
-                                       to_text(parameters.output.frame_interval) + " s).");
-        }
+      if (step.fixed_step > 0.)
+        check_given(declarations, "Time step", {}, {"Maximum"}, "a given Time step/Time step");
+      if (step.fixed_step > parameters.output.frame_interval)
+        throw declarations.error("Time step/Time step",
+                                 "it must not be longer than Output/Frame interval (" +
+                                   to_text(parameters.output.frame_interval) + " s).");
     }
 
     /** What is allowed but probably not meant. */
