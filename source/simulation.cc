@@ -4,11 +4,13 @@
 
 #include <magmpm/boundary/momentum_update.h>
 #include <magmpm/magnetic_coupling.h>
+#include <magmpm/particles/density_relaxation.h>
 #include <magmpm/particles/seeding.h>
 #include <magmpm/simulation.h>
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace magmpm
 {
@@ -17,6 +19,7 @@ namespace magmpm
     /** Timer sections of a step, the verbs of the algorithm: columns of the statistics. */
     const std::vector<std::string> phases = {"Sort and migrate",
                                              "Solve potential",
+                                             "Relax density",
                                              "P2G",
                                              "Update lattice",
                                              "G2P",
@@ -34,6 +37,15 @@ namespace magmpm
                         body.material);
     }
 
+    template <int dim>
+    OpenFaces<dim>
+    open_faces(const WallParameters<dim> &walls)
+    {
+      OpenFaces<dim> open;
+      for (std::size_t face = 0; face < open.size(); ++face)
+        open[face] = (walls.condition[face] == WallCondition::open);
+      return open;
+    }
   } // namespace
 
   template <int dim>
@@ -46,6 +58,7 @@ namespace magmpm
                                                   dealii::TimerOutput::wall_times))
     , external_field(parameters.sources)
     , boundary(parameters.lattice, parameters.walls, external_field)
+    , open(open_faces(parameters.walls))
     , time_step_control(parameters.time_step, parameters.lattice.spacing)
   {
     set_up_decomposition();
@@ -102,7 +115,9 @@ namespace magmpm
     state.solved_this_step = false;
 
     external_field.set_time(state.time);
-    update_magnetics();               // Eqs. (25)-(33)
+    update_magnetics(); // Eqs. (25)-(33)
+    if (state.step % relaxation_period == 0)
+      relax_density();
     transfer_to_lattice(step.length); // Eq. (28)
     update_lattice();                 // Eqs. (33), (34)
     transfer_to_particles();          // Eqs. (35)-(37)
@@ -157,12 +172,11 @@ namespace magmpm
     for (const ParticleSums<dim> &sums : sums_of_bodies())
       {
         const Body<dim> &body = bodies[extremes.size()];
-        extremes.push_back(
-          {sums.max_speed,
-           sums.max_speed + undeformed_wave_speed(body),
-           sums.max_affine_velocity,
-           1.,
-           1.});
+        extremes.push_back({sums.max_speed,
+                            sums.max_speed + undeformed_wave_speed(body),
+                            sums.max_affine_velocity,
+                            1.,
+                            1.});
       }
     update_step_conditions(extremes);
   }
@@ -174,13 +188,49 @@ namespace magmpm
     dealii::TimerOutput::Scope timed(*timer, "Sort and migrate");
     const auto regrouping = decomposition->regroup(bodies);
     if (regrouping.n_lost > 0)
-      results.log().warning(std::to_string(regrouping.n_lost) +
-                            " particles left the box through a wall and were removed");
+      report_lost_particles(regrouping.n_lost, regrouping.first_lost);
     state.lost_particles += regrouping.n_lost;
     if (state.step > 0)
       state.migrated_particles += regrouping.n_migrated;
     lattice_field.reinit(decomposition->blocks().size());
     drift_since_sort = 0.;
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::report_lost_particles(const std::size_t n_lost, const std::string &first)
+  {
+    std::ostringstream text;
+    text << n_lost << (n_lost == 1 ? " particle has" : " particles have")
+         << " left the box by t = " << state.time << " s: " << (n_lost == 1 ? "" : "one is ")
+         << first << ".";
+    if (!parameters.walls.removes_leaving_particles)
+      throw RunError(text.str() +
+                     " Take a larger box, another condition than open for this face, or "
+                     "'Particles leaving the box = remove' in the section 'Walls'.");
+    results.log().warning(text.str());
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::relax_density()
+  {
+    if (!has_fluid(bodies))
+      return;
+    dealii::TimerOutput::Scope timed(*timer, "Relax density");
+    // P2G fills the field anew after this.
+    NodeField<dim> &fraction    = lattice_field;
+    const BlockSet<dim> &blocks = decomposition->blocks();
+    const Lattice<dim> &lattice = parameters.lattice;
+    fluid_fraction_to_lattice(bodies, blocks, lattice, fraction);
+    decomposition->partition().add_ghosts_to_owners(fraction);
+    complete_fluid_fraction(blocks, lattice, open, fraction);
+    decomposition->partition().update_ghosts(fraction);
+    const DensityError error =
+      relax_volume_ratios(fraction, blocks, lattice, relaxation_period * state.time_step, bodies);
+    const double sum         = dealii::Utilities::MPI::sum(error.sum, communicator);
+    const double n_particles = dealii::Utilities::MPI::sum(error.n_particles, communicator);
+    state.density_error      = (n_particles > 0. ? sum / n_particles : 0.);
   }
 
   template <int dim>
@@ -236,6 +286,10 @@ namespace magmpm
     dealii::TimerOutput::Scope timed(*timer, "G2P");
     std::vector<ParticleExtremes> extremes = lattice_to_particles(
       lattice_field, decomposition->blocks(), parameters.lattice, state.time_step, bodies);
+    std::size_t n_held = 0;
+    for (Body<dim> &body : bodies)
+      n_held += hold_at_walls(decomposition->blocks(), parameters.lattice, open, body);
+    state.held_particles += dealii::Utilities::MPI::sum(n_held, communicator);
 
     // The largest of all ranks, in one exchange.
     constexpr int n_extremes = sizeof(ParticleExtremes) / sizeof(double);

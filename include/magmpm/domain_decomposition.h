@@ -9,6 +9,7 @@
 #include <mpi.h>
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace magmpm
@@ -27,6 +28,7 @@ namespace magmpm
     struct Regrouping
     {
       std::size_t n_lost;     ///< particles that had left the box and were removed
+      std::string first_lost; ///< one of them in words
       std::size_t n_migrated; ///< particles that changed their rank
     };
 

@@ -6,6 +6,7 @@
 #include <magmpm/io/results.h>
 #include <magmpm/magnets/external_field.h>
 #include <magmpm/particles/body.h>
+#include <magmpm/particles/box_faces.h>
 #include <magmpm/particles/particle_grid_transfer.h>
 #include <magmpm/particles/particle_sort.h>
 #include <magmpm/particles/particle_sums.h>
@@ -15,6 +16,7 @@
 #include <mpi.h>
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace dealii
@@ -57,6 +59,14 @@ namespace magmpm
     void
     regroup_particles();
 
+    /** @throw RunError unless such particles are to be removed. @param first  one of them in words. */
+    void
+    report_lost_particles(const std::size_t n_lost, const std::string &first);
+
+    /** Draws J of fluids towards that of the lattice. */
+    void
+    relax_density();
+
     /** Solves the potential if the force that particles carry no longer serves, Eqs. (25-33). */
     void
     update_magnetics();
@@ -92,6 +102,7 @@ namespace magmpm
 
     ExternalField<dim> external_field;
     LatticeBoundary<dim> boundary;
+    const OpenFaces<dim> open;
     const TimeStepControl time_step_control;
     std::unique_ptr<DomainDecomposition<dim>> decomposition;
     std::unique_ptr<MagneticCoupling<dim>> magnetics; ///< null without magnetic material

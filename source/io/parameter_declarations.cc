@@ -271,10 +271,17 @@ namespace magmpm
                            walls.condition[face],
                            {{"stick", WallCondition::stick},
                             {"slip", WallCondition::slip},
-                            {"separate", WallCondition::separate}},
-                           "What material does at this face of the box.");
+                            {"separate", WallCondition::separate},
+                            {"open", WallCondition::open}},
+                           "What material does at this face of the box; open: it passes.");
         else
           declarations.refuse(face_names[face], "this face needs Dimension = 3.");
+      declarations.add(
+        "Particles leaving the box",
+        walls.removes_leaving_particles,
+        {{"error", false}, {"remove", true}},
+        "What becomes of particles that pass an open face: they end the run, or they "
+        "are removed and counted.");
     }
 
     template <int dim>

@@ -1,4 +1,5 @@
 #include <magmpm/io/body_geometry.h>
+#include <magmpm/io/number_text.h>
 #include <magmpm/io/parameter_names.h>
 #include <magmpm/io/parameter_validation.h>
 #include <magmpm/magnets/motion_script.h>
@@ -26,16 +27,6 @@ namespace magmpm
       std::ostringstream text;
       text << number;
       return text.str();
-    }
-
-    template <int dim>
-    std::string
-    to_text(const Vector<dim> &vector)
-    {
-      std::string text;
-      for (int d = 0; d < dim; ++d)
-        text += (d == 0 ? "" : ", ") + to_text(vector[d]);
-      return text;
     }
 
     /** The parameters of @p names in @p section that were given. */
@@ -360,11 +351,12 @@ namespace magmpm
         {
           const double gap = distance(body, centre) - source.radius;
           if (gap < -1e-9 * source.radius)
-            throw declarations.error(
-              section + "/Position",
-              "this solid magnet (radius " + to_text(source.radius) + " m, at " + to_text(centre) +
-                " m) overlaps the body '" + body.name + "' by " + to_text(-gap) +
-                " m at the start. Move one of them, or set " + section + "/Contact = none.");
+            throw declarations.error(section + "/Position",
+                                     "this solid magnet (radius " + to_text(source.radius) +
+                                       " m, at " + components(centre) + " m) overlaps the body '" +
+                                       body.name + "' by " + to_text(-gap) +
+                                       " m at the start. Move one of them, or set " + section +
+                                       "/Contact = none.");
         }
     }
 
