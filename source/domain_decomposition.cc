@@ -24,6 +24,17 @@ namespace magmpm
     }
   } // namespace
 
+  std::string
+  report(const Regrouping &regrouping, const double time)
+  {
+    const bool one = (regrouping.n_lost == 1);
+    std::ostringstream text;
+    text << regrouping.n_lost << (one ? " particle has" : " particles have")
+         << " left the box by t = " << time << " s: " << (one ? "" : "one is ")
+         << regrouping.first_lost << ".";
+    return text.str();
+  }
+
   template <int dim>
   DomainDecomposition<dim>::DomainDecomposition(const Parameters<dim> &parameters,
                                                 const MPI_Comm communicator)
@@ -36,7 +47,7 @@ namespace magmpm
   }
 
   template <int dim>
-  typename DomainDecomposition<dim>::Regrouping
+  Regrouping
   DomainDecomposition<dim>::regroup(std::vector<Body<dim>> &bodies)
   {
     std::size_t n_lost = 0;

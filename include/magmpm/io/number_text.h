@@ -2,6 +2,7 @@
 
 #include <magmpm/base/tensor.h>
 
+#include <optional>
 #include <sstream>
 #include <string>
 
@@ -38,4 +39,8 @@ namespace magmpm
   /** 90.3 [s] as "1 min 30 s": the two largest of h, min, s; tenths below ten seconds. */
   std::string
   duration(const double seconds);
+
+  /** "90 s", "10 min" or "1.5 h" in seconds; nothing if the text is no positive time of this kind. */
+  std::optional<double>
+  seconds_from(const std::string &text);
 } // namespace magmpm
