@@ -10,7 +10,7 @@ namespace magmpm
   namespace
   {
     /** A node with less fluid around it than this is near a free surface. */
-    constexpr double least_fraction = 0.8;
+    constexpr double least_fraction = 0.9;
 
     /** The time in which J follows the lattice, in times of sound across a cell. */
     constexpr double relaxation_time = 3.;

@@ -19,7 +19,7 @@ namespace magmpm
    *   v_i = sum_p N_ip V_0/dx^dim / (share of the node's B-spline inside of the walls),
    *
    * with tau = 3 dx/c: slow beside sound in a cell, fast beside what flows. Next to a free surface,
-   * where v_i of one of the nodes is below 0.8, J is left alone: there the B-splines see too little.
+   * where v_i of one of the nodes is below 0.9, J is left alone: there the B-splines see too little.
    * Fluids count together; a solid body or magnet beside them is a free surface to them.
    */
 
