@@ -7,6 +7,7 @@ long_fluid.py PATH/OF/magmpm [--steps 100000] [--only still shaken stirred]
 
 import argparse
 import csv
+import math
 import os
 import subprocess
 import sys
@@ -64,6 +65,8 @@ subsection Magnets
 end
 """
 
+MASS = 500  # kg/m of water
+
 CASES = {"still": ("0, -9.81", ""), "shaken": ("3, -9.81", ""), "stirred": ("0, -9.81", PADDLE)}
 
 
@@ -101,6 +104,7 @@ def report(case, rows):
               f"{100 * max(column(part, 'density error')):12.2f} "
               f"{mean(column(part, 'centre of mass y')):12.4f} "
               f"{min(column(part, 'min J')):8.3f} {max(column(part, 'max J')):8.3f} "
+              f"{mean([math.sqrt(2 * e / MASS) for e in column(part, 'kinetic energy')]):8.3f} "
               f"{max(column(part, 'max |v|')):8.2f}", flush=True)
 
 
@@ -114,7 +118,7 @@ def main():
     print(subprocess.run([arguments.magmpm, "--version"], capture_output=True, text=True).stdout,
           end="")
     print(f"{'tank':8} {'to step':>7} {'mean |dJ| %':>12} {'largest %':>12} {'mean y [m]':>12} "
-          f"{'min J':>8} {'max J':>8} {'max |v|':>8}")
+          f"{'min J':>8} {'max J':>8} {'rms v':>8} {'max |v|':>8}")
     for case in arguments.only:
         gravity, more = CASES[case]
         with tempfile.TemporaryDirectory() as folder:

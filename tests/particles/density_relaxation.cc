@@ -118,3 +118,21 @@ TEST_CASE("solids are not relaxed, and no free surface is taken for an inside", 
   CHECK(has_fluid(thin));
   CHECK(relax(lattice, 1e9, thin).n_particles == 0.);
 }
+
+TEST_CASE("in a spray J becomes one", "[particles]")
+{
+  // Every third particle of every third row alone: its own share of a node is too little to be a fluid.
+  const Lattice<2> lattice    = narrow_lattice();
+  std::vector<Body<2>> bodies = pool(lattice, MechanicalLaw::viscoelastic_fluid, 1.);
+  ParticleSet<2> &water       = bodies[0].particles;
+  std::vector<std::uint32_t> sparse;
+  for (std::uint32_t p = 0; p < water.size(); ++p)
+    if ((p % (2 * n_cells)) % 3 == 0 && (p / (2 * n_cells)) % 3 == 0)
+      sparse.push_back(p);
+  water.reorder(sparse);
+  for (std::size_t p = 0; p < water.size(); ++p)
+    water.component(ParticleProperty::deformation, 0)[p] = (p % 2 == 0 ? 1.5 : 0.6);
+  CHECK(relax(lattice, 1e9, bodies).n_particles == 0.);
+  for (std::size_t p = 0; p < water.size(); ++p)
+    CHECK(water.component(ParticleProperty::deformation, 0)[p] == Approx(1.));
+}
