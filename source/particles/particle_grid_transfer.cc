@@ -68,15 +68,17 @@ namespace magmpm
           prefetch.add(component + first);
     }
 
-    /** Mass and momentum of particles, with their slopes times dx, as P2G gives them to the nodes. */
+    /** Mass and momentum of the particles at @p place, number @p p of the batch, for P2G. */
     template <int dim, typename Law, typename Place>
     inline void
     momentum_of_particles(const ParticleArrays<dim> &particles,
+                          const StencilBatch<dim> &stencils,
                           const Law &law,
                           const double time_step,
                           const double spacing,
                           const Place place,
-                          double *numbers)
+                          const int p,
+                          LinearBatch<dim> &batch)
     {
       const Matrix<dim, SimdDouble> affine = load_matrix<dim>(particles.affine_velocity, place);
       const Matrix<dim, SimdDouble> stress =
@@ -88,18 +90,23 @@ namespace magmpm
       if (particles.magnetic_acceleration[0] != nullptr)
         velocity += time_step * load_vector<dim>(particles.magnetic_acceleration, place);
 
-      SimdDouble value[n_lanes] = {};
-      for (int d = 0; d < dim; ++d)
-        value[d] = mass * velocity[d];
-      value[3] = mass;
-      store_transposed(value, numbers, LinearBatch<dim>::stride);
+      constexpr int stride      = LinearBatch<dim>::stride;
+      SimdDouble first[n_lanes] = {};
+      for (int c = 0; c < dim; ++c)
+        first[c] = mass * velocity[c];
       for (int d = 0; d < dim; ++d)
         {
-          SimdDouble slope[n_lanes] = {};
+          const SimdDouble offset  = SimdDouble::load(&stencils.offsets[d][p]);
+          SimdDouble step[n_lanes] = {};
           for (int c = 0; c < dim; ++c)
-            slope[c] = affine_factor * affine(c, d) + stress_factor * stress(c, d);
-          store_transposed(slope, numbers + (1 + d) * n_lanes, LinearBatch<dim>::stride);
+            {
+              step[c] = affine_factor * affine(c, d) + stress_factor * stress(c, d);
+              first[c] -= offset * step[c];
+            }
+          store_transposed(step, batch.numbers[p][1 + d], stride);
         }
+      first[3] = mass;
+      store_transposed(first, batch.numbers[p][0], stride);
     }
 
     template <int dim, typename Law>
@@ -112,8 +119,7 @@ namespace magmpm
       for_each_batch(run, [&](const std::size_t first, const int n) {
         place_stencils(run, first, n, stencils);
         for_each_lanes(first, n, [&](const auto place, const int p) {
-          momentum_of_particles(
-            particles, law, time_step, run.spacing, place, &batch.numbers[p][0][0]);
+          momentum_of_particles(particles, stencils, law, time_step, run.spacing, place, p, batch);
         });
         Prefetch<batch_size> next;
         add_arrays(particles.position, first + batch_size, next);
@@ -161,29 +167,36 @@ namespace magmpm
       }
     };
 
-    /** Moves and deforms particles over a step, from what G2P found on their nodes. */
+    /**
+     * Moves and deforms the particles at @p place, number @p p of the batch, over a step, with what
+     * G2P found on their nodes.
+     */
     template <int dim, typename Law, typename Place>
     inline void
     advance_particles(const ParticleArrays<dim> &particles,
+                      const StencilBatch<dim> &stencils,
+                      const LinearBatch<dim> &batch,
                       const Law &law,
                       const double time_step,
                       const double spacing,
                       const Place place,
-                      const double *numbers,
+                      const int p,
                       LaneExtremes &extremes)
     {
+      constexpr int stride = LinearBatch<dim>::stride;
+      SimdDouble sum[n_lanes];
+      load_transposed(batch.numbers[p][0], stride, sum);
       Vector<dim, SimdDouble> velocity;
-      Matrix<dim, SimdDouble> affine;
-      SimdDouble lanes[n_lanes];
-      load_transposed(numbers, LinearBatch<dim>::stride, lanes);
       for (int c = 0; c < dim; ++c)
-        velocity[c] = lanes[c];
-#pragma GCC unroll 3
+        velocity[c] = sum[c];
+      Matrix<dim, SimdDouble> affine;
       for (int d = 0; d < dim; ++d)
         {
-          load_transposed(numbers + (1 + d) * n_lanes, LinearBatch<dim>::stride, lanes);
+          const SimdDouble offset = SimdDouble::load(&stencils.offsets[d][p]);
+          SimdDouble moment[n_lanes];
+          load_transposed(batch.numbers[p][1 + d], stride, moment);
           for (int c = 0; c < dim; ++c)
-            affine(c, d) = (4. / spacing) * lanes[c];
+            affine(c, d) = (4. / spacing) * (moment[c] - offset * velocity[c]);
         }
       const typename Law::State state =
         law.advanced(load_state<dim, Law>(particles, place), affine, time_step);
@@ -232,7 +245,7 @@ namespace magmpm
         });
         for_each_lanes(first, n, [&](const auto place, const int p) {
           advance_particles(
-            particles, law, time_step, run.spacing, place, &batch.numbers[p][0][0], lane_extremes);
+            particles, stencils, batch, law, time_step, run.spacing, place, p, lane_extremes);
         });
       });
       lane_extremes.add_to(extremes);
