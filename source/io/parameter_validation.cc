@@ -1,4 +1,5 @@
 #include <magmpm/io/body_geometry.h>
+#include <magmpm/io/number_text.h>
 #include <magmpm/io/parameter_names.h>
 #include <magmpm/io/parameter_validation.h>
 #include <magmpm/magnets/motion_script.h>
@@ -6,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
 #include <sstream>
 
 namespace magmpm
@@ -26,16 +28,6 @@ namespace magmpm
       std::ostringstream text;
       text << number;
       return text.str();
-    }
-
-    template <int dim>
-    std::string
-    to_text(const Vector<dim> &vector)
-    {
-      std::string text;
-      for (int d = 0; d < dim; ++d)
-        text += (d == 0 ? "" : ", ") + to_text(vector[d]);
-      return text;
     }
 
     /** The parameters of @p names in @p section that were given. */
@@ -360,11 +352,12 @@ namespace magmpm
         {
           const double gap = distance(body, centre) - source.radius;
           if (gap < -1e-9 * source.radius)
-            throw declarations.error(
-              section + "/Position",
-              "this solid magnet (radius " + to_text(source.radius) + " m, at " + to_text(centre) +
-                " m) overlaps the body '" + body.name + "' by " + to_text(-gap) +
-                " m at the start. Move one of them, or set " + section + "/Contact = none.");
+            throw declarations.error(section + "/Position",
+                                     "this solid magnet (radius " + to_text(source.radius) +
+                                       " m, at " + components(centre) + " m) overlaps the body '" +
+                                       body.name + "' by " + to_text(-gap) +
+                                       " m at the start. Move one of them, or set " + section +
+                                       "/Contact = none.");
         }
     }
 
@@ -403,14 +396,37 @@ namespace magmpm
     check_times(const ParameterRegister &declarations, const Parameters<dim> &parameters)
     {
       const TimeStepParameters &step = parameters.time_step;
-      if (!step.adaptive)
-        {
-          check_given(declarations, "Time step", {"Fixed step"}, {}, "Time step/Kind = fixed");
-          if (step.fixed_step > parameters.output.frame_interval)
-            throw declarations.error("Time step/Fixed step",
-                                     "it must not be longer than Output/Frame interval (" +
-                                       to_text(parameters.output.frame_interval) + " s).");
-        }
+      if (step.fixed_step > 0.)
+        check_given(declarations, "Time step", {}, {"Maximum"}, "a given Time step/Time step");
+      if (step.fixed_step > parameters.output.frame_interval)
+        throw declarations.error("Time step/Time step",
+                                 "it must not be longer than Output/Frame interval (" +
+                                   to_text(parameters.output.frame_interval) + " s).");
+    }
+
+    template <int dim>
+    void
+    convert_checkpoint(const ParameterRegister &declarations,
+                       const ParameterInput<dim> &input,
+                       CheckpointParameters &checkpoint)
+    {
+      const std::regex frames("([1-9][0-9]{0,8}) frames?");
+      std::smatch number;
+      if (const auto seconds = seconds_from(input.checkpoint_every))
+        checkpoint.wall_interval = *seconds;
+      else if (std::regex_match(input.checkpoint_every, number, frames))
+        checkpoint.every_n_frames = std::stoi(number[1]);
+      else if (input.checkpoint_every != "never")
+        throw declarations.error(
+          "Checkpoint every",
+          "must be a wall time (90 s, 10 min, 2 h), a number of frames (20 frames), "
+          "or never.");
+
+      if (const auto seconds = seconds_from(input.end_wall_time))
+        checkpoint.end_wall_time = *seconds;
+      else if (input.end_wall_time != "never")
+        throw declarations.error("End wall time",
+                                 "must be a wall time (90 s, 10 min, 11.5 h) or never.");
     }
 
     /** What is allowed but probably not meant. */
@@ -450,6 +466,7 @@ namespace magmpm
     check_bodies(declarations, input, parameters);
     check_sources(declarations, parameters);
     check_times(declarations, parameters);
+    convert_checkpoint(declarations, input, parameters.checkpoint);
 
     parameters.magnetics.shielded = parameters.mesh.shielded;
     parameters.mesh.carries_potential =

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <magmpm/base/tensor.h>
+
+#include <optional>
+#include <sstream>
 #include <string>
 
 /** Numbers as people like to read them. */
@@ -21,7 +25,22 @@ namespace magmpm
   std::string
   scientific(const double value);
 
+  /** {0.25, 0.5} as "0.25, 0.5". */
+  template <int dim>
+  inline std::string
+  components(const Vector<dim> &vector)
+  {
+    std::ostringstream text;
+    for (int d = 0; d < dim; ++d)
+      text << (d == 0 ? "" : ", ") << vector[d];
+    return text.str();
+  }
+
   /** 90.3 [s] as "1 min 30 s": the two largest of h, min, s; tenths below ten seconds. */
   std::string
   duration(const double seconds);
+
+  /** "90 s", "10 min" or "1.5 h" in seconds; nothing if the text is no positive time of this kind. */
+  std::optional<double>
+  seconds_from(const std::string &text);
 } // namespace magmpm

@@ -6,12 +6,12 @@
 
 namespace magmpm
 {
-  /** The length of a time step: a fixed one, or the smallest of the limits below. */
+  /** The length of a time step: the smallest of the limits below, or a fixed one. */
   struct TimeStepParameters
   {
-    bool adaptive         = true;
-    double fixed_step     = 0.;                                      ///< dt [s], if not adaptive
-    double maximum        = std::numeric_limits<double>::infinity(); ///< [s]
+    double fixed_step     = 0.;    ///< dt [s]; 0: as long as the limits allow
+    bool allow_unstable   = false; ///< a fixed step beyond the limits
+    double maximum        = std::numeric_limits<double>::infinity(); ///< [s], of a step not fixed
     double elastic_factor = 0.4;  ///< dt <= factor dx / (c + |v|)
     double viscous_factor = 0.12; ///< dt <= factor rho dx^2 / mu_N
     double force_factor   = 0.3;  ///< dt <= factor sqrt(dx / |a|)
@@ -40,6 +40,22 @@ namespace magmpm
     double min_volume_ratio = 0.05; ///< J
     double max_volume_ratio = 20.;  ///< J
     double max_speed_ratio  = 20.;  ///< speed over the undeformed wave speed of the material
+  };
+
+  /** When a run writes checkpoints, and when it stops by itself before its end time. */
+  struct CheckpointParameters
+  {
+    int every_n_frames   = 0;                                       ///< 0: not by frames
+    double wall_interval = std::numeric_limits<double>::infinity(); ///< between two checkpoints [s]
+    double end_wall_time = std::numeric_limits<double>::infinity(); ///< since the program began [s]
+    int n_kept           = 2;
+
+    /** Whether the run writes any by itself. */
+    bool
+    is_wanted() const
+    {
+      return every_n_frames > 0 || wall_interval < std::numeric_limits<double>::infinity();
+    }
   };
 
   /** What is written, where and how often. */
