@@ -1,6 +1,5 @@
 #pragma once
 
-#include <magmpm/base/prefetch.h>
 #include <magmpm/base/simd.h>
 #include <magmpm/lattice/arena.h>
 #include <magmpm/lattice/node_row.h>
