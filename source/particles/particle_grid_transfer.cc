@@ -199,6 +199,7 @@ namespace magmpm
           soon.template ask<true>(p);
           sum_linear(stencils, rows, p, batch);
         });
+        batch.repeat_last(n);
         // Lanes beyond the last particle repeat it, or what is left there would count as extremes.
         for (int p = n; p % SimdDouble::n_lanes != 0; ++p)
           std::copy_n(&batch.numbers[n - 1][0][0], LinearBatch<dim>::stride, &batch.numbers[p][0][0]);

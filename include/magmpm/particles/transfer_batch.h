@@ -51,6 +51,14 @@ namespace magmpm
     static constexpr int stride = (1 + dim) * n_lanes;
 
     alignas(64) double numbers[batch_size][1 + dim][n_lanes];
+
+    /** Fills the lanes beyond particle @p n - 1 with its numbers, as PartialLanes do. */
+    void
+    repeat_last(const int n)
+    {
+      for (int p = n; p % SimdDouble::n_lanes != 0; ++p)
+        std::memcpy(numbers[p], numbers[n - 1], sizeof(numbers[p]));
+    }
   };
 
   /** Places particles on the lattice of the arena of a block. */
