@@ -27,21 +27,22 @@ namespace magmpm
     /** Mass and momentum of the particles at @p place, number @p p of the batch, for P2G. */
     template <int dim, typename Law, typename Place>
     inline void
-    momentum_of_particles(const ParticleArrays<dim> &particles,
+    momentum_of_particles(const Run<dim> &run,
                           const StencilBatch<dim> &stencils,
                           const Law &law,
                           const double time_step,
-                          const double spacing,
                           const Place place,
                           const int p,
                           LinearBatch<dim> &batch)
     {
+      const auto &particles                = run.particles;
+      const double dx                      = run.spacing;
       const Matrix<dim, SimdDouble> affine = load_matrix<dim>(particles.affine_velocity, place);
       const Matrix<dim, SimdDouble> stress =
         law.kirchhoff_stress(load_state<dim, Law>(particles, place), affine);
-      const SimdDouble mass          = load(particles.mass, place);
-      const SimdDouble affine_factor = spacing * mass;
-      const SimdDouble stress_factor = (-time_step * 4. / spacing) * load(particles.volume, place);
+      const SimdDouble mass            = load(particles.mass, place);
+      const SimdDouble affine_factor   = dx * mass;
+      const SimdDouble stress_factor   = (-time_step * 4. / dx) * load(particles.volume, place);
       Vector<dim, SimdDouble> velocity = load_vector<dim>(particles.velocity, place);
       if (particles.magnetic_acceleration[0] != nullptr)
         velocity += time_step * load_vector<dim>(particles.magnetic_acceleration, place);
@@ -75,7 +76,7 @@ namespace magmpm
       for_each_batch(run, [&](const std::size_t first, const int n) {
         place_stencils(run, first, n, stencils);
         for_each_lanes(first, n, [&](const auto place, const int p) {
-          momentum_of_particles(particles, stencils, law, time_step, run.spacing, place, p, batch);
+          momentum_of_particles(run, stencils, law, time_step, place, p, batch);
         });
         Prefetch<batch_size> next;
         add_arrays(particles.position, first + batch_size, next);
@@ -129,17 +130,17 @@ namespace magmpm
      */
     template <int dim, typename Law, typename Place>
     inline void
-    advance_particles(const ParticleArrays<dim> &particles,
+    advance_particles(const Run<dim> &run,
                       const StencilBatch<dim> &stencils,
                       const LinearBatch<dim> &batch,
                       const Law &law,
                       const double time_step,
-                      const double spacing,
                       const Place place,
                       const int p,
                       LaneExtremes &extremes)
     {
-      constexpr int stride = LinearBatch<dim>::stride;
+      const auto &particles = run.particles;
+      constexpr int stride  = LinearBatch<dim>::stride;
       SimdDouble sum[n_lanes];
       load_transposed(batch.numbers[p][0], stride, sum);
       Vector<dim, SimdDouble> velocity;
@@ -152,7 +153,7 @@ namespace magmpm
           SimdDouble moment[n_lanes];
           load_transposed(batch.numbers[p][1 + d], stride, moment);
           for (int c = 0; c < dim; ++c)
-            affine(c, d) = (4. / spacing) * (moment[c] - offset * velocity[c]);
+            affine(c, d) = (4. / run.spacing) * (moment[c] - offset * velocity[c]);
         }
       const typename Law::State state =
         law.advanced(load_state<dim, Law>(particles, place), affine, time_step);
@@ -200,17 +201,12 @@ namespace magmpm
           sum_linear(stencils, rows, p, batch);
         });
         batch.repeat_last(n);
-        // Lanes beyond the last particle repeat it, or what is left there would count as extremes.
-        for (int p = n; p % SimdDouble::n_lanes != 0; ++p)
-          std::copy_n(&batch.numbers[n - 1][0][0], LinearBatch<dim>::stride, &batch.numbers[p][0][0]);
         for_each_lanes(first, n, [&](const auto place, const int p) {
-          advance_particles(
-            particles, stencils, batch, law, time_step, run.spacing, place, p, lane_extremes);
+          advance_particles(run, stencils, batch, law, time_step, place, p, lane_extremes);
         });
       });
       lane_extremes.add_to(extremes);
     }
-
   } // namespace
 
   template <int dim>

@@ -52,7 +52,10 @@ namespace magmpm
 
     alignas(64) double numbers[batch_size][1 + dim][n_lanes];
 
-    /** Fills the lanes beyond particle @p n - 1 with its numbers, as PartialLanes do. */
+    /**
+     * Fills the lanes beyond particle @p n - 1 with its numbers, as PartialLanes do: what is left there
+     * would count as extremes.
+     */
     void
     repeat_last(const int n)
     {
