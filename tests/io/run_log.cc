@@ -3,6 +3,7 @@
 #include <deal.II/base/timer.h>
 
 #include <magmpm/base/exceptions.h>
+#include <magmpm/base/simd.h>
 #include <magmpm/base/version.h>
 #include <magmpm/io/number_text.h>
 #include <magmpm/io/run_log.h>
@@ -80,7 +81,7 @@ TEST_CASE("numbers are written as people read them", "[io]")
 
 TEST_CASE("terminal and log.txt hold the same header, from rank 0 alone", "[io][mpi]")
 {
-  // The header names version, lattice, particles, unknowns and each body with what it is made of.
+  // The header names version, instruction set, lattice, particles, unknowns and each body with what it is made of.
   // Wave speeds: sqrt((5e5 + 8e5)/2500) = 22.8 m/s and sqrt(1e6/1000) = 31.6 m/s.
   const std::string folder = testing::fresh_folder("run_log-header");
   std::ostringstream terminal;
@@ -96,7 +97,7 @@ TEST_CASE("terminal and log.txt hold the same header, from rank 0 alone", "[io][
         "  3D, lattice dx = 7.81 mm, 110,592 particles, 44,909 potential unknowns, 412 MB\n"
         "  cube: elastic, wave speed 22.8 m/s; Langevin, chi_0 = 0.912, saturation 82.3 kA/m\n"
         "  drop: fluid, sound speed 31.6 m/s, viscosity 10 mPa s; not magnetic\n";
-      CHECK(terminal.str().find(version_string()) == 0);
+      CHECK(terminal.str().find(version_string() + ", " + simd_instruction_set + ", ") == 0);
       CHECK(terminal.str().find(expected) != std::string::npos);
       CHECK(testing::contents(folder + "/log.txt") == terminal.str());
     }
