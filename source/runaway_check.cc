@@ -1,5 +1,6 @@
 #include <deal.II/base/mpi.h>
 
+#include <magmpm/particles/particle_sums.h>
 #include <magmpm/runaway_check.h>
 
 #include <algorithm>

@@ -1,14 +1,17 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/mpi.templates.h>
 #include <deal.II/base/timer.h>
+#include <deal.II/base/utilities.h>
 
+#include <magmpm/base/version.h>
 #include <magmpm/boundary/momentum_update.h>
-#include <magmpm/magnetics/potential_problem.h>
-#include <magmpm/particles/carried_force.h>
-#include <magmpm/particles/particle_migration.h>
-#include <magmpm/particles/particle_sort.h>
+#include <magmpm/io/number_text.h>
+#include <magmpm/io/parameter_changes.h>
+#include <magmpm/magnetic_coupling.h>
 #include <magmpm/particles/seeding.h>
 #include <magmpm/simulation.h>
+
+#include <boost/serialization/utility.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -37,25 +40,52 @@ namespace magmpm
                         body.material);
     }
 
+    std::optional<RunRecord>
+    unpacked(const std::optional<Checkpoint> &checkpoint)
+    {
+      if (!checkpoint)
+        return {};
+      return dealii::Utilities::unpack<RunRecord>(checkpoint->run, false);
+    }
+
+    std::string
+    listed(const std::vector<std::string> &lines)
+    {
+      std::string text;
+      for (const std::string &line : lines)
+        text += "\n  " + line;
+      return text;
+    }
   } // namespace
 
   template <int dim>
-  Simulation<dim>::Simulation(const Parameters<dim> &parameters, const MPI_Comm communicator)
+  Simulation<dim>::Simulation(const Parameters<dim> &parameters,
+                              const MPI_Comm communicator,
+                              const std::optional<Checkpoint> &checkpoint)
     : parameters(parameters)
     , communicator(communicator)
-    , results(parameters, phases, communicator)
+    , resumed(unpacked(checkpoint))
+    , results(parameters, phases, communicator, resumed ? &resumed->progress : nullptr)
     , timer(std::make_unique<dealii::TimerOutput>(results.log().stream(),
                                                   dealii::TimerOutput::never,
                                                   dealii::TimerOutput::wall_times))
     , external_field(parameters.sources)
     , boundary(parameters.lattice, parameters.walls, external_field)
-    , mesh(communicator, parameters.lattice, parameters.mesh)
-    , partition(mesh)
     , time_step_control(parameters.time_step, parameters.lattice.spacing)
+    , checkpoints(communicator, parameters.output.directory, parameters.checkpoint.n_kept)
+    , control(parameters.checkpoint,
+              parameters.output.directory,
+              dealii::Utilities::MPI::this_mpi_process(communicator))
   {
-    if (parameters.mesh.carries_potential)
-      magnetics =
-        std::make_unique<PotentialProblem<dim>>(mesh, partition, parameters.magnetics, *timer);
+    for (const BodyParameters<dim> &body : parameters.bodies)
+      {
+        bodies.emplace_back(body, parameters.material_of(body));
+        const double particle_volume =
+          std::pow(parameters.lattice.spacing / body.particles_per_edge, dim);
+        typical_particle_mass = std::max(typical_particle_mass, body.density * particle_volume);
+      }
+    if (checkpoint)
+      restore(*checkpoint);
   }
 
   template <int dim>
@@ -67,18 +97,19 @@ namespace magmpm
   {
     try
       {
-        seed_bodies();
-        write_statistics();
-        write_frame();
-        while (state.time < (1. - 1e-12) * parameters.end_time)
+        if (!resumed)
+          begin();
+        while (!is_at_end() && !is_stopped())
           {
             advance_one_step();
-            const double next_frame = (state.frame + 1) * parameters.output.frame_interval;
-            if (state.time >= (1. - 1e-9) * std::min(next_frame, parameters.end_time))
+            const bool frame_is_complete = state.time >= (1. - 1e-9) * time_of_next_frame();
+            if (frame_is_complete)
               {
                 ++state.frame;
                 write_frame();
               }
+            if (checkpoint_is_due(frame_is_complete))
+              write_checkpoint();
           }
       }
     catch (const std::exception &exception)
@@ -88,7 +119,41 @@ namespace magmpm
         throw;
       }
     timer->print_wall_time_statistics(communicator);
+    if (is_stopped())
+      results.log().message("stopped by " + RunControl::reason(request) +
+                            "; go on with: magmpm --resume, and the same parameter file");
     results.log().end();
+  }
+
+  template <int dim>
+  double
+  Simulation<dim>::time_of_next_frame() const
+  {
+    return std::min((state.frame + 1) * parameters.output.frame_interval, parameters.end_time);
+  }
+
+  template <int dim>
+  bool
+  Simulation<dim>::is_at_end() const
+  {
+    return state.time >= (1. - 1e-12) * parameters.end_time;
+  }
+
+  template <int dim>
+  bool
+  Simulation<dim>::is_stopped() const
+  {
+    return request > RunControl::Request::checkpoint;
+  }
+
+  template <int dim>
+  bool
+  Simulation<dim>::checkpoint_is_due(const bool frame_is_complete) const
+  {
+    const CheckpointParameters &wanted = parameters.checkpoint;
+    if (wanted.every_n_frames > 0 && frame_is_complete && state.frame % wanted.every_n_frames == 0)
+      return true;
+    return request != RunControl::Request::none || (is_at_end() && wanted.is_wanted());
   }
 
   // One step, section 4.3 of Sun et al. 2021.
@@ -96,11 +161,10 @@ namespace magmpm
   void
   Simulation<dim>::advance_one_step()
   {
-    const double next_frame = std::min((state.frame + 1) * parameters.output.frame_interval,
-                                       parameters.end_time);
-    const TimeStep step     = time_step_control.next_step(step_conditions, next_frame - state.time);
-    state.time_step         = step.length;
-    state.limit             = step.limit;
+    const TimeStep step = time_step_control.next_step(step_conditions,
+                                                      time_of_next_frame() - state.time);
+    state.time_step     = step.length;
+    state.limit         = step.limit;
     if (step.limit != frame_end_limit || state.step == 0)
       {
         state.full_time_step = step.length;
@@ -109,9 +173,7 @@ namespace magmpm
     state.solved_this_step = false;
 
     external_field.set_time(state.time);
-    advance_force();
-    if (solve_is_due())
-      solve_magnetics();              // Eqs. (25)-(33)
+    update_magnetics();               // Eqs. (25)-(33)
     transfer_to_lattice(step.length); // Eq. (28)
     update_lattice();                 // Eqs. (33), (34)
     transfer_to_particles();          // Eqs. (35)-(37)
@@ -127,31 +189,48 @@ namespace magmpm
 
   template <int dim>
   void
+  Simulation<dim>::set_up_decomposition()
+  {
+    magnetics.reset(); // sees the mesh
+    decomposition = std::make_unique<DomainDecomposition<dim>>(parameters, communicator);
+    if (parameters.mesh.carries_potential)
+      magnetics = std::make_unique<MagneticCoupling<dim>>(
+        parameters, *decomposition, external_field, *timer, communicator);
+    // Where particles are when a run begins or is resumed is no migration.
+    const std::size_t n_migrated = state.migrated_particles;
+    regroup_particles();
+    state.migrated_particles = n_migrated;
+  }
+
+  template <int dim>
+  void
   Simulation<dim>::seed_bodies()
   {
     const unsigned int rank    = dealii::Utilities::MPI::this_mpi_process(communicator);
     const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
-    for (unsigned int b = 0; b < parameters.bodies.size(); ++b)
+    for (unsigned int b = 0; b < bodies.size(); ++b)
       {
         const BodyParameters<dim> &body = parameters.bodies[b];
-        bodies.emplace_back(body, parameters.material_of(body));
-        seed_particles(body, parameters.lattice, b, rank, n_ranks, bodies.back());
-        if (dealii::Utilities::MPI::sum(bodies.back().particles.size(), communicator) == 0)
+        seed_particles(body, parameters.lattice, b, rank, n_ranks, bodies[b]);
+        if (dealii::Utilities::MPI::sum(bodies[b].particles.size(), communicator) == 0)
           throw InputError("body '" + body.name +
                            "' holds no particle: it is smaller than the distance between "
                            "particles. Make it larger, or 'Box/Cell size' smaller.");
-        const double particle_volume =
-          std::pow(parameters.lattice.spacing / body.particles_per_edge, dim);
-        typical_particle_mass = std::max(typical_particle_mass, body.density * particle_volume);
       }
-    regroup_particles();
-    external_field.set_time(0.);
-    if (solve_is_due())
-      solve_magnetics();
-    results.write_header(bodies, magnetics != nullptr ? magnetics->n_unknowns() : 0);
+  }
 
-    if (magnetics == nullptr)
-      step_conditions.acceleration = norm(parameters.gravity);
+  template <int dim>
+  void
+  Simulation<dim>::begin()
+  {
+    seed_bodies();
+    checkpoints.clear();
+    set_up_decomposition();
+    external_field.set_time(0.);
+    step_conditions.acceleration = norm(parameters.gravity);
+    update_magnetics();
+    results.write_header(bodies, state.last_solve.n_unknowns);
+
     // What limits the first step is not known from a step before it.
     std::vector<ParticleExtremes> extremes;
     for (const ParticleSums<dim> &sums : sums_of_bodies())
@@ -161,6 +240,8 @@ namespace magmpm
           {sums.max_speed, sums.max_speed + undeformed_wave_speed(body), 0., 1., 1.});
       }
     update_step_conditions(extremes);
+    write_statistics();
+    write_frame();
   }
 
   template <int dim>
@@ -168,102 +249,27 @@ namespace magmpm
   Simulation<dim>::regroup_particles()
   {
     dealii::TimerOutput::Scope timed(*timer, "Sort and migrate");
-    std::size_t n_lost = 0;
-    for (Body<dim> &body : bodies)
-      n_lost += remove_lost_particles(parameters.lattice, body);
-    n_lost = dealii::Utilities::MPI::sum(n_lost, communicator);
-    if (n_lost > 0)
-      results.log().warning(std::to_string(n_lost) +
+    const auto regrouping = decomposition->regroup(bodies);
+    if (regrouping.n_lost > 0)
+      results.log().warning(std::to_string(regrouping.n_lost) +
                             " particles left the box through a wall and were removed");
-    state.lost_particles += n_lost;
-
-    const bool has_force               = (magnetics != nullptr);
-    const OccupiedBlocks<dim> occupied = occupied_blocks(bodies, parameters.lattice, has_force);
-    mesh.adapt(occupied.blocks, occupied.n_particles);
-    migrate_to_owners(occupied);
-    partition.rebuild(occupied_blocks(bodies, parameters.lattice, has_force).blocks);
-    for (Body<dim> &body : bodies)
-      sort_into_blocks(partition.blocks(), parameters.lattice, body);
-    lattice_field.reinit(partition.blocks().size());
+    state.lost_particles += regrouping.n_lost;
+    state.migrated_particles += regrouping.n_migrated;
+    lattice_field.reinit(decomposition->blocks().size());
     drift_since_sort = 0.;
   }
 
   template <int dim>
   void
-  Simulation<dim>::migrate_to_owners(const OccupiedBlocks<dim> &occupied)
+  Simulation<dim>::update_magnetics()
   {
-    const BlockSet<dim> blocks(occupied.blocks, static_cast<int>(occupied.blocks.size()));
-    const std::vector<unsigned int> owners = mesh.owners(occupied.blocks);
-    for (Body<dim> &body : bodies)
-      {
-        std::vector<unsigned int> destination(body.particles.size());
-        for (std::size_t p = 0; p < destination.size(); ++p)
-          destination[p] = owners[blocks.slot(
-            block_of<dim>(parameters.lattice.base_node(body.particles.position(p))))];
-        const std::size_t n_sent = migrate_particles(communicator, destination, body.particles);
-        if (state.step > 0)
-          state.migrated_particles += dealii::Utilities::MPI::sum(n_sent, communicator);
-      }
-  }
-
-  template <int dim>
-  bool
-  Simulation<dim>::solve_is_due()
-  {
-    using Trigger = SolveTriggerParameters::Trigger;
     if (magnetics == nullptr)
-      return false;
-    const SolveTriggerParameters &trigger = parameters.solve_trigger;
-    if (state.n_solves == 0)
-      return true;
-    if (state.step_of_last_solve == state.step)
-      return false;
-    if (trigger.trigger == Trigger::every_step)
-      return true;
-    if (trigger.trigger == Trigger::every_n_steps)
-      return state.step % trigger.n_steps == 0;
-    // After the first solve the rate of the force is not known yet: the second one comes soon.
-    const double tolerated = (state.n_solves == 1 ? 0.5 : 1.) * trigger.moved_fraction *
-                             parameters.lattice.spacing;
-    // The sum of the steps is cheap to have and never too short; vibrations make it too long.
-    if (drift_since_solve > tolerated)
-      {
-        drift_since_solve = 0.;
-        for (const Body<dim> &body : bodies)
-          drift_since_solve = std::max(drift_since_solve, way_since_solve(body));
-        drift_since_solve = dealii::Utilities::MPI::max(drift_since_solve, communicator);
-        // A motion that turned back is a vibration: its way says nothing about the force.
-        if (drift_since_solve <= tolerated)
-          for (Body<dim> &body : bodies)
-            hold_carried_force(carried_way, body);
-      }
-    const auto change = external_field.change_since_remembered();
-    return drift_since_solve > tolerated || change.displacement > tolerated ||
-           change.relative_strength > trigger.changed_fraction;
-  }
-
-  template <int dim>
-  void
-  Simulation<dim>::solve_magnetics()
-  {
+      return;
+    magnetics->advance_force(bodies, state);
+    if (!magnetics->is_due(bodies, state))
+      return;
     dealii::TimerOutput::Scope timed(*timer, "Solve potential");
-    solve_potential(magnetic_content());
-
-    // Only magnetic particles carry the force, so nodes give it to the mass of these alone.
-    NodeField<dim> mass, force;
-    mass.reinit(partition.blocks().size());
-    force.reinit(partition.blocks().size());
-    magnetic_mass_to_lattice(bodies, partition.blocks(), parameters.lattice, mass);
-    partition.add_ghosts_to_owners(mass);
-    partition.update_ghosts(mass);
-    state.dropped_magnetic_force = norm(magnetics->compute_force(mass, force));
-    forces_to_accelerations(mass, force);
-    partition.update_ghosts(force);
-    carry_force(force);
-    magnetics->compute_field(force);
-    interpolate_to_particles(
-      force, partition.blocks(), parameters.lattice, ParticleProperty::magnetic_field, bodies);
-
+    magnetics->solve(bodies, state); // Eqs. (25)-(33)
     step_conditions.magnetic_wave_speed = 0.;
     step_conditions.acceleration        = norm(parameters.gravity);
     for (const ParticleSums<dim> &sums : sums_of_bodies())
@@ -273,80 +279,6 @@ namespace magmpm
         step_conditions.acceleration        = std::max(
           step_conditions.acceleration, norm(parameters.gravity) + sums.max_magnetic_acceleration);
       }
-    for (Body<dim> &body : bodies)
-      remember_positions(body);
-    external_field.remember();
-    drift_since_solve        = 0.;
-    state.solved_this_step   = true;
-    state.step_of_last_solve = state.step;
-    ++state.n_solves;
-  }
-
-  template <int dim>
-  void
-  Simulation<dim>::advance_force()
-  {
-    if (magnetics == nullptr || state.n_solves == 0)
-      return;
-    // A source that changes in strength by all of itself counts as one that moves by dx.
-    const auto change = external_field.change_since_remembered();
-    const double way  = path_since_solve + change.displacement +
-                       change.relative_strength * parameters.lattice.spacing;
-    for (Body<dim> &body : bodies)
-      advance_carried_force(way - carried_way, body);
-    carried_way = way;
-  }
-
-  template <int dim>
-  void
-  Simulation<dim>::carry_force(const NodeField<dim> &accelerations)
-  {
-    for (Body<dim> &body : bodies)
-      recall_carried_force(carried_way, body);
-    interpolate_to_particles(accelerations,
-                             partition.blocks(),
-                             parameters.lattice,
-                             ParticleProperty::magnetic_acceleration,
-                             bodies);
-    for (Body<dim> &body : bodies)
-      set_rate_of_carried_force(carried_way, body);
-    carried_way      = 0.;
-    path_since_solve = 0.;
-  }
-
-  template <int dim>
-  NodeField<dim>
-  Simulation<dim>::magnetic_content()
-  {
-    NodeField<dim> content;
-    content.reinit(partition.blocks().size());
-    magnetic_content_to_lattice(bodies, partition.blocks(), parameters.lattice, content);
-    partition.add_ghosts_to_owners(content);
-    partition.update_ghosts(content);
-    return content;
-  }
-
-  template <int dim>
-  void
-  Simulation<dim>::solve_potential(const NodeField<dim> &content)
-  {
-    state.last_solve   = magnetics->solve(content, external_field);
-    mesh_of_last_solve = mesh.revision();
-  }
-
-  template <int dim>
-  void
-  Simulation<dim>::forces_to_accelerations(const NodeField<dim> &masses,
-                                           NodeField<dim> &force) const
-  {
-    for (int slot = 0; slot < partition.blocks().n_owned(); ++slot)
-      for (int n = 0; n < nodes_per_block<dim>; ++n)
-        {
-          double *node      = force.node(slot, n);
-          const double mass = masses.node(slot, n)[3];
-          for (int d = 0; d < dim; ++d)
-            node[d] = (mass > 0. ? node[d] / mass : 0.);
-        }
   }
 
   template <int dim>
@@ -354,8 +286,9 @@ namespace magmpm
   Simulation<dim>::transfer_to_lattice(const double time_step)
   {
     dealii::TimerOutput::Scope timed(*timer, "P2G");
-    particles_to_lattice(bodies, partition.blocks(), parameters.lattice, time_step, lattice_field);
-    partition.add_ghosts_to_owners(lattice_field);
+    particles_to_lattice(
+      bodies, decomposition->blocks(), parameters.lattice, time_step, lattice_field);
+    decomposition->partition().add_ghosts_to_owners(lattice_field);
   }
 
   template <int dim>
@@ -363,13 +296,13 @@ namespace magmpm
   Simulation<dim>::update_lattice()
   {
     dealii::TimerOutput::Scope timed(*timer, "Update lattice");
-    update_lattice_momentum(partition.blocks(),
+    update_lattice_momentum(decomposition->blocks(),
                             boundary,
                             parameters.gravity,
                             state.time_step,
                             typical_particle_mass,
                             lattice_field);
-    partition.update_ghosts(lattice_field);
+    decomposition->partition().update_ghosts(lattice_field);
   }
 
   template <int dim>
@@ -378,7 +311,7 @@ namespace magmpm
   {
     dealii::TimerOutput::Scope timed(*timer, "G2P");
     std::vector<ParticleExtremes> extremes = lattice_to_particles(
-      lattice_field, partition.blocks(), parameters.lattice, state.time_step, bodies);
+      lattice_field, decomposition->blocks(), parameters.lattice, state.time_step, bodies);
 
     // The largest of all ranks, in one exchange.
     constexpr int n_extremes = sizeof(ParticleExtremes) / sizeof(double);
@@ -390,7 +323,9 @@ namespace magmpm
                       e.affine_velocity,
                       e.max_volume_ratio,
                       e.max_inverse_volume_ratio});
+    largest.push_back(static_cast<double>(control.request()));
     dealii::Utilities::MPI::max(largest, communicator, largest);
+    request      = static_cast<RunControl::Request>(largest.back());
     double speed = 0.;
     for (std::size_t b = 0; b < extremes.size(); ++b)
       {
@@ -399,8 +334,8 @@ namespace magmpm
         speed           = std::max(speed, e[0]);
       }
     drift_since_sort += state.time_step * speed;
-    drift_since_solve += state.time_step * speed;
-    path_since_solve += state.time_step * speed;
+    state.drift_since_solve += state.time_step * speed;
+    state.path_since_solve += state.time_step * speed;
     state.max_speed = speed;
     check_for_runaways(bodies, extremes, parameters.runaway_limits, state, communicator);
     update_step_conditions(extremes);
@@ -457,9 +392,8 @@ namespace magmpm
         // The mesh may have changed since the last solve: then the potential is found anew. The
         // force that particles carry stays: output changes a run by no more than where the next
         // Newton iteration starts, within its tolerance.
-        if (mesh_of_last_solve != mesh.revision())
-          solve_potential(magnetic_content());
-        results.write_fields(state, *magnetics, external_field);
+        magnetics->solve_for_output(bodies, state);
+        results.write_fields(state, magnetics->potential(), external_field);
       }
     results.flush();
   }
@@ -476,6 +410,67 @@ namespace magmpm
                              sums_of_bodies(),
                              dealii::Utilities::MPI::min(n_particles, communicator),
                              timer->get_summary_data(dealii::TimerOutput::total_wall_time));
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::write_checkpoint()
+  {
+    dealii::TimerOutput::Scope timed(*timer, "Checkpoint");
+    // The run goes on as a run resumed from here will.
+    set_up_decomposition();
+    Checkpoint checkpoint;
+    checkpoint.version    = version_string();
+    checkpoint.parameters = parameters.complete_text;
+    checkpoint.run = dealii::Utilities::pack(RunRecord{state, step_conditions, results.progress()},
+                                             false);
+    for (const Body<dim> &body : bodies)
+      {
+        checkpoint.particles.emplace_back();
+        for (std::size_t p = 0; p < body.particles.size(); ++p)
+          body.particles.append_record(p, checkpoint.particles.back());
+      }
+    try
+      {
+        checkpoints.write("step-" + dealii::Utilities::int_to_string(state.step, 10), checkpoint);
+      }
+    catch (const RunError &error)
+      {
+        // A run that has room to go on does so; one that ends here would lose everything.
+        if (is_stopped())
+          throw;
+        results.log().warning(error.what());
+      }
+    control.restart_interval();
+    control.clear_stop_file();
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::restore(const Checkpoint &checkpoint)
+  {
+    const ParameterChanges changes = parameter_changes(parameters.complete_text,
+                                                       checkpoint.parameters);
+    if (!changes.critical.empty())
+      throw InputError(
+        "this run cannot be resumed with other parameters of what its particles are:" +
+        listed(changes.critical) + "\nPut these back, or start the run anew, without --resume.");
+
+    state           = resumed->state;
+    step_conditions = resumed->step_conditions;
+    for (std::size_t b = 0; b < checkpoint.particles.size(); ++b)
+      bodies[b].particles.append_from_records(checkpoint.particles[b]);
+    external_field.set_time(state.time_of_last_solve);
+    external_field.remember();
+    set_up_decomposition();
+
+    results.write_header(bodies, state.last_solve.n_unknowns);
+    results.log().message("resumed at frame " + std::to_string(state.frame) +
+                          ", t = " + three_digits(state.time) + " s, from " + checkpoints.latest());
+    if (!changes.allowed.empty())
+      results.log().message("parameters changed since the checkpoint:" + listed(changes.allowed));
+    if (checkpoint.version != version_string())
+      results.log().warning("the checkpoint was written by another program: " + checkpoint.version);
   }
 
   template class Simulation<2>;

@@ -1,21 +1,24 @@
 #pragma once
 
 #include <magmpm/boundary/lattice_boundary.h>
+#include <magmpm/domain_decomposition.h>
+#include <magmpm/io/checkpoint.h>
 #include <magmpm/io/parameters.h>
 #include <magmpm/io/results.h>
 #include <magmpm/magnets/external_field.h>
-#include <magmpm/mesh/background_mesh.h>
-#include <magmpm/mesh/block_partition.h>
 #include <magmpm/particles/body.h>
 #include <magmpm/particles/particle_grid_transfer.h>
 #include <magmpm/particles/particle_sort.h>
 #include <magmpm/particles/particle_sums.h>
+#include <magmpm/run_control.h>
+#include <magmpm/run_record.h>
 #include <magmpm/runaway_check.h>
 #include <magmpm/time_step_control.h>
 
 #include <mpi.h>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace dealii
@@ -26,7 +29,7 @@ namespace dealii
 namespace magmpm
 {
   template <int dim>
-  class PotentialProblem;
+  class MagneticCoupling;
 
   /**
    * A scene from its parameters to its results: the time loop of Sun et al. 2021, section 4.3, and
@@ -36,16 +39,38 @@ namespace magmpm
   class Simulation
   {
   public:
-    Simulation(const Parameters<dim> &parameters, const MPI_Comm communicator);
+    /**
+     * @param checkpoint  of an earlier run of this scene, to go on from; otherwise it starts afresh.
+     * @throw InputError  if the scene is not that of the checkpoint.
+     */
+    Simulation(const Parameters<dim> &parameters,
+               const MPI_Comm communicator,
+               const std::optional<Checkpoint> &checkpoint = {});
     ~Simulation();
 
-    /** @throw RunError if a particle runs away or a solver fails. */
+    /**
+     * Until the end time, or until somebody asks it to stop (see RunControl).
+     *
+     * @throw RunError if a particle runs away or a solver fails.
+     */
     void
     run();
 
   private:
+    /** From no particles to frame 0. */
+    void
+    begin();
+
     void
     seed_bodies();
+
+    /** Goes back to where the run was when it wrote a checkpoint. */
+    void
+    restore(const Checkpoint &checkpoint);
+
+    /** Builds anew, from the particles alone: mesh, blocks, potential problem, order of the particles. */
+    void
+    set_up_decomposition();
 
     void
     advance_one_step();
@@ -54,35 +79,9 @@ namespace magmpm
     void
     regroup_particles();
 
+    /** Solves the potential if the force that particles carry no longer serves, Eqs. (25-33). */
     void
-    migrate_to_owners(const OccupiedBlocks<dim> &occupied);
-
-    bool
-    solve_is_due();
-
-    /** Solves the potential and lets the particles carry the force, Eqs. (25-33). */
-    void
-    solve_magnetics();
-
-    /** The densities of grains on the nodes, summed over the ranks, ghosts up to date. */
-    NodeField<dim>
-    magnetic_content();
-
-    /** Finds the potential of @p content, Eqs. (25)-(30). */
-    void
-    solve_potential(const NodeField<dim> &content);
-
-    /** Accelerations of the nodes [m/s^2] from forces [N] and masses, in place. */
-    void
-    forces_to_accelerations(const NodeField<dim> &masses, NodeField<dim> &force) const;
-
-    /** Lets the force that particles carry follow the motion since the last solve. */
-    void
-    advance_force();
-
-    /** Gives particles the accelerations of the nodes [m/s^2], and their rate of change. */
-    void
-    carry_force(const NodeField<dim> &accelerations);
+    update_magnetics();
 
     /** P2G of momentum and mass, summed over the ranks. */
     void
@@ -101,6 +100,26 @@ namespace magmpm
     std::vector<ParticleSums<dim>>
     sums_of_bodies() const;
 
+    double
+    time_of_next_frame() const; ///< or of the end [s]
+
+    bool
+    is_at_end() const;
+
+    bool
+    is_stopped() const;
+
+    bool
+    checkpoint_is_due(const bool frame_is_complete) const;
+
+    /**
+     * Writes a checkpoint, and brings this run to the very state in which a run resumed from it starts:
+     * what is carried along otherwise, such as the mesh, the last potential and its preconditioner, is
+     * built anew in both.
+     */
+    void
+    write_checkpoint();
+
     void
     write_frame();
 
@@ -110,27 +129,26 @@ namespace magmpm
     const Parameters<dim> parameters;
     const MPI_Comm communicator;
 
+    const std::optional<RunRecord> resumed; ///< where an earlier run was
     Results<dim> results;
     std::unique_ptr<dealii::TimerOutput> timer;
 
     ExternalField<dim> external_field;
     LatticeBoundary<dim> boundary;
-    BackgroundMesh<dim> mesh;
-    BlockPartition<dim> partition;
     const TimeStepControl time_step_control;
+    std::unique_ptr<DomainDecomposition<dim>> decomposition;
+    std::unique_ptr<MagneticCoupling<dim>> magnetics; ///< null without magnetic material
 
     std::vector<Body<dim>> bodies;
     NodeField<dim> lattice_field; ///< {momentum or velocity, mass}
 
-    std::unique_ptr<PotentialProblem<dim>> magnetics; ///< null without magnetic material
+    CheckpointFolder checkpoints;
+    RunControl control;
+    RunControl::Request request = RunControl::Request::none; ///< of all ranks, in the last step
 
     RunState state;
     StepConditions step_conditions;
-    double typical_particle_mass    = 0.; ///< [kg]
-    unsigned int mesh_of_last_solve = 0;  ///< its revision
-    double drift_since_sort         = 0.; ///< the longest way a particle can have gone [m]
-    double drift_since_solve        = 0.; ///< the same of magnetic particles, or more [m]
-    double path_since_solve         = 0.; ///< the sum of the steps of the fastest particles [m]
-    double carried_way              = 0.; ///< for which the carried force was advanced [m]
+    double typical_particle_mass = 0.; ///< [kg]
+    double drift_since_sort      = 0.; ///< the longest way a particle can have gone [m]
   };
 } // namespace magmpm

@@ -3,16 +3,18 @@
 #include <magmpm/io/parameters.h>
 #include <magmpm/io/particle_output.h>
 #include <magmpm/io/run_log.h>
+#include <magmpm/io/run_state.h>
 #include <magmpm/io/statistics_file.h>
-#include <magmpm/magnetics/solve_report.h>
 #include <magmpm/particles/body.h>
 #include <magmpm/particles/particle_sums.h>
 
 #include <mpi.h>
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace dealii
@@ -33,32 +35,22 @@ namespace magmpm
   template <int dim>
   class ExternalField;
 
-  /** Where a run is, and what its last step and solve did. */
-  struct RunState
+  /** How far the files of a run got, for a checkpoint. */
+  struct ResultsProgress
   {
-    double time        = 0.; ///< [s]
-    unsigned int step  = 0;
-    unsigned int frame = 0;
+    std::uintmax_t statistics_size = 0; ///< [bytes]
+    std::vector<std::pair<double, std::string>> particle_frames, field_frames; ///< time [s], file
+    unsigned int n_solves = 0; ///< of the potential, until the last line of the log
 
-    double time_step  = 0.; ///< of the last step [s]
-    std::string limit = "none";
-
-    /** The same of the last step that was not cut short to meet a frame. */
-    double full_time_step  = 0.;
-    std::string full_limit = "none";
-
-    std::size_t lost_particles     = 0; ///< so far, all ranks
-    std::size_t migrated_particles = 0; ///< so far, all ranks
-
-    double max_speed = 0.; ///< of a particle in the last step [m/s]
-
-    unsigned int n_solves           = 0; ///< of the potential, so far
-    unsigned int step_of_last_solve = 0;
-    bool solved_this_step           = false;
-    SolveReport last_solve;
-
-    /** The force at the last solve that fell on no mass and reaches no particle [N]. */
-    double dropped_magnetic_force = 0.;
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &statistics_size;
+      archive &particle_frames;
+      archive &field_frames;
+      archive &n_solves;
+    }
   };
 
   /**
@@ -72,12 +64,15 @@ namespace magmpm
     /**
      * Makes the folder and opens its files.
      *
-     * @param phases  timer sections that are columns of the statistics.
-     * @throw RunError if the folder or a file cannot be made.
+     * @param phases    timer sections that are columns of the statistics.
+     * @param progress  how far an earlier run got: its files go on from there, and what they say of later
+     *                  times is taken back. Null: the files are new.
+     * @throw RunError if the folder or a file cannot be made, or continued.
      */
     Results(const Parameters<dim> &parameters,
             const std::vector<std::string> &phases,
-            const MPI_Comm communicator);
+            const MPI_Comm communicator,
+            const ResultsProgress *progress = nullptr);
     ~Results();
 
     RunLog &
@@ -124,6 +119,10 @@ namespace magmpm
                      const std::vector<ParticleSums<dim>> &sums,
                      const double fewest_particles,
                      const std::map<std::string, double> &seconds);
+
+    /** How far the files got; what counts is that of rank 0. */
+    ResultsProgress
+    progress();
 
     /** Makes sure that what was written survives an early end. */
     void

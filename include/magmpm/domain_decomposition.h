@@ -1,0 +1,68 @@
+#pragma once
+
+#include <magmpm/io/parameters.h>
+#include <magmpm/mesh/background_mesh.h>
+#include <magmpm/mesh/block_partition.h>
+#include <magmpm/particles/body.h>
+#include <magmpm/particles/particle_sort.h>
+
+#include <mpi.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace magmpm
+{
+  /**
+   * Which rank holds which part of the box: the mesh, the blocks around the particles, and the
+   * particles, each on the rank and in the slot of its block.
+   */
+  template <int dim>
+  class DomainDecomposition
+  {
+  public:
+    DomainDecomposition(const Parameters<dim> &parameters, const MPI_Comm communicator);
+
+    /** What regroup() did, counted over all ranks. */
+    struct Regrouping
+    {
+      std::size_t n_lost;     ///< particles that had left the box and were removed
+      std::size_t n_migrated; ///< particles that changed their rank
+    };
+
+    /**
+     * Brings all particles to the ranks and slots of their blocks; adapts the mesh to where they
+     * went. Collective.
+     */
+    Regrouping
+    regroup(std::vector<Body<dim>> &bodies);
+
+    const BackgroundMesh<dim> &
+    mesh() const
+    {
+      return background_mesh;
+    }
+
+    const BlockPartition<dim> &
+    partition() const
+    {
+      return block_partition;
+    }
+
+    const BlockSet<dim> &
+    blocks() const
+    {
+      return block_partition.blocks();
+    }
+
+  private:
+    std::size_t
+    migrate_to_owners(const OccupiedBlocks<dim> &occupied, std::vector<Body<dim>> &bodies) const;
+
+    const Lattice<dim> lattice;
+    const MPI_Comm communicator;
+    const bool has_force; ///< of magnets
+    BackgroundMesh<dim> background_mesh;
+    BlockPartition<dim> block_partition;
+  };
+} // namespace magmpm

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <magmpm/magnetics/solve_report.h>
+
+#include <cstddef>
+#include <string>
+
+namespace magmpm
+{
+  /** Where a run is, and what its last step and solve did. */
+  struct RunState
+  {
+    double time        = 0.; ///< [s]
+    unsigned int step  = 0;
+    unsigned int frame = 0;
+
+    double time_step  = 0.; ///< of the last step [s]
+    std::string limit = "none";
+
+    /** The same of the last step that was not cut short to meet a frame. */
+    double full_time_step  = 0.;
+    std::string full_limit = "none";
+
+    std::size_t lost_particles     = 0; ///< so far, all ranks
+    std::size_t migrated_particles = 0; ///< so far, all ranks
+
+    double max_speed = 0.; ///< of a particle in the last step [m/s]
+
+    unsigned int n_solves           = 0; ///< of the potential, so far
+    unsigned int step_of_last_solve = 0;
+    bool solved_this_step           = false;
+    SolveReport last_solve;
+
+    /** The force at the last solve that fell on no mass and reaches no particle [N]. */
+    double dropped_magnetic_force = 0.;
+
+    /** What the next solve and the carried force depend on, since the last solve. */
+    double time_of_last_solve = 0.; ///< [s]
+    double drift_since_solve  = 0.; ///< the longest way of magnetic particles, or more [m]
+    double path_since_solve   = 0.; ///< the sum of the steps of the fastest particles [m]
+    double carried_way        = 0.; ///< for which the carried force was advanced [m]
+
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &time;
+      archive &step;
+      archive &frame;
+      archive &time_step;
+      archive &limit;
+      archive &full_time_step;
+      archive &full_limit;
+      archive &lost_particles;
+      archive &migrated_particles;
+      archive &max_speed;
+      archive &n_solves;
+      archive &step_of_last_solve;
+      archive &solved_this_step;
+      archive &last_solve;
+      archive &dropped_magnetic_force;
+      archive &time_of_last_solve;
+      archive &drift_since_solve;
+      archive &path_since_solve;
+      archive &carried_way;
+    }
+  };
+} // namespace magmpm
