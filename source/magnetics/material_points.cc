@@ -223,12 +223,25 @@ namespace magmpm
         point.number_density                   = density * lanes[grains];
         point.field                            = sources.field(position);
         point.gradient                         = sources.field_gradient(position);
-
-        const double magnetization =
-          norm(response(cell.first_point + q, Vector<dim>()).mean.magnetization);
-        total_weight += weights[q] * magnetization;
-        first_moment += (weights[q] * magnetization) * position;
       }
+    add_magnetized_weight(cell);
+  }
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::add_magnetized_weight(const Cell &cell)
+  {
+    const auto no_self_field = [](const int) { return Vector<dim>(); };
+    for_batches(
+      cell.first_point, no_self_field, [&](const int first, const int n, const Batch &batch) {
+        const Lanes magnetization = norm(batch.response.mean.magnetization);
+        for (int lane = 0; lane < n; ++lane)
+          {
+            const double weight = weights[first + lane] * magnetization[lane];
+            total_weight += weight;
+            first_moment += weight * (cell.position + positions[first + lane]);
+          }
+      });
   }
 
   template class MaterialPoints<2>;
