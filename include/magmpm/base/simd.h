@@ -67,7 +67,7 @@ namespace magmpm
     }
 
     /** The first @p n lanes, 0 < n <= width; the others repeat the last of them. */
-    static Simd
+    [[gnu::noinline]] static Simd
     load(const Number *address, const int n)
     {
       Simd numbers;
@@ -83,7 +83,7 @@ namespace magmpm
     }
 
     /** The first @p n lanes. */
-    void
+    [[gnu::noinline]] void
     store(Number *address, const int n) const
     {
       for (int lane = 0; lane < n; ++lane)
