@@ -165,6 +165,16 @@ namespace magmpm
   }
 
   template <int dim>
+  bool
+  MaterialPoints<dim>::has_surface(const Cell &cell) const
+  {
+    const auto first = points.begin() + cell.first_point;
+    return std::any_of(first, first + n_points<dim>, [](const Point &point) {
+      return point.fraction > 0. && point.fraction < 1.;
+    });
+  }
+
+  template <int dim>
   void
   MaterialPoints<dim>::set_normals(const Cell &cell)
   {
@@ -199,7 +209,8 @@ namespace magmpm
         the_stencil.gather(
           the_indicator.field(), partition.blocks(), cell.slot, cell.corner, nodes);
         the_stencil.interpolate(nodes, corrections);
-        set_normals(cell);
+        if (has_surface(cell))
+          set_normals(cell);
       }
 
     for (int q = 0; q < n_points<dim>; ++q)

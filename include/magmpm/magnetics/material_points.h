@@ -264,6 +264,10 @@ namespace magmpm
     void
     add_magnetized_weight(const Cell &cell);
 
+    /** Whether any point of the cell is a mixture, which alone needs nu. */
+    bool
+    has_surface(const Cell &cell) const;
+
     /** nu at the points of a cell. */
     void
     set_normals(const Cell &cell);
