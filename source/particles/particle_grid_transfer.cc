@@ -123,6 +123,7 @@ namespace magmpm
         add_arrays(particles.magnetic_acceleration, first + batch_size, next);
         next.add(particles.mass + first + batch_size);
         next.add(particles.volume + first + batch_size);
+        next.finish();
         scatter_batch(stencils, n, arena, [&](const int p, auto &rows) {
           next.template ask<false>(p);
           add_linear(stencils, batch, p, rows);
@@ -224,6 +225,7 @@ namespace magmpm
         add_arrays(particles.velocity, first, soon);
         add_arrays(particles.affine_velocity, first, soon);
         add_arrays(particles.deformation, first, soon);
+        soon.finish();
         gather_batch(stencils, n, arena, [&](const int p, const auto &rows) {
           soon.template ask<true>(p);
           sum_linear(stencils, rows, p, batch);

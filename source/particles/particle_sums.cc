@@ -109,9 +109,10 @@ namespace magmpm
       sums.momentum += mass * velocity;
       sums.mass_times_position += mass * position;
       sums.angular_momentum += mass * cross(position, velocity);
-      sums.angular_momentum += (setting.affine_factor * mass) *
-                               curl(load_matrix<dim>(particles.affine_velocity, place));
+      const auto affine = load_matrix<dim>(particles.affine_velocity, place);
+      sums.angular_momentum += (setting.affine_factor * mass) * curl(affine);
       raise(sums.max_speed, square);
+      raise(sums.max_affine_velocity, frobenius_norm(affine));
       lower(sums.min_volume_ratio, volume_ratio);
       raise(sums.max_volume_ratio, volume_ratio);
       if (setting.magnetic.is_magnetic())
@@ -160,6 +161,7 @@ namespace magmpm
     magnetic_force += other.magnetic_force;
     magnetic_moment += other.magnetic_moment;
     max_speed                 = std::max(max_speed, other.max_speed);
+    max_affine_velocity       = std::max(max_affine_velocity, other.max_affine_velocity);
     min_volume_ratio          = std::min(min_volume_ratio, other.min_volume_ratio);
     max_volume_ratio          = std::max(max_volume_ratio, other.max_volume_ratio);
     max_field                 = std::max(max_field, other.max_field);

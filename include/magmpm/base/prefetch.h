@@ -22,6 +22,15 @@ namespace magmpm
       addresses[n_arrays++] = address;
     }
 
+    /** To be called after the last add(). */
+    void
+    finish()
+    {
+      // An address that is mapped nowhere would cost more than one asked for twice.
+      for (int a = n_arrays; a < max_arrays; ++a)
+        addresses[a] = addresses[0];
+    }
+
     /**
      * Call number @p i of batch_size: lines of all arrays in equal parts. To be written to: @p write.
      */
