@@ -170,7 +170,7 @@ namespace magmpm
   {
     const auto first = points.begin() + cell.first_point;
     return std::any_of(first, first + n_points<dim>, [](const Point &point) {
-      return point.fraction > 0. && point.fraction < 1.;
+      return point.fraction > 0. && point.fraction < nearly_full;
     });
   }
 

@@ -22,12 +22,15 @@ namespace magmpm
     Vector<dim, Number> jump;
   };
 
+  /** A fraction above this is 1 but for its rounding: the point is no mixture. */
+  inline constexpr double nearly_full = 1. - 1e-12;
+
   namespace internal
   {
     /**
      * The zero of s + nu.M(H + (1-f) s nu), which grows in s at least as fast as s itself. By this, and
      * since s = 0 gives b = nu.M(H), it lies between -b and 0: Newton's method inside this bracket,
-     * which halves it where a step would leave it. Zero where there are no two phases, f = 0 or 1.
+     * which halves it where a step would leave it. Zero where there are no two phases.
      */
     template <int dim, typename Number>
     inline Number
@@ -41,7 +44,7 @@ namespace magmpm
       constexpr int max_iterations = 60; // halving alone reaches the tolerance
 
       Number jump = 0., start = 0., low = 0., high = 0.;
-      auto is_open = (fraction > 0.) & (fraction < 1.); // each point stops by itself
+      auto is_open = (fraction > 0.) & (fraction < nearly_full); // each point stops by itself
       for (int i = 0; i < max_iterations && any(is_open); ++i)
         {
           const Vector<dim, Number> inside = field + ((1. - fraction) * jump) * normal;
