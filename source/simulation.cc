@@ -150,7 +150,7 @@ namespace magmpm
     external_field.set_time(0.);
     step_conditions.acceleration = norm(parameters.gravity);
     update_magnetics();
-    results.write_header(bodies, state.last_solve.n_unknowns);
+    results.write_header(state, bodies);
 
     // What limits the first step is not known from a step before it.
     std::vector<ParticleExtremes> extremes;
@@ -175,6 +175,11 @@ namespace magmpm
     state.lost_particles += regrouping.n_lost;
     if (state.step > 0)
       state.migrated_particles += regrouping.n_migrated;
+    if (regrouping.mesh.is_rebalanced)
+      results.log().rebalanced(regrouping.mesh.imbalance_before, regrouping.mesh.imbalance);
+    if (state.step > 0)
+      state.mesh_changes += regrouping.mesh.is_change();
+    state.imbalance = regrouping.mesh.imbalance;
     lattice_field.reinit(decomposition->blocks().size());
     drift_since_sort = 0.;
   }

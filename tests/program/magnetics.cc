@@ -79,7 +79,8 @@ end
   depends_on_ranks(const std::string &heading)
   {
     return heading.find("wall time") != std::string::npos || heading == "migrated particles" ||
-           heading == "fewest particles of a rank" || heading == "CG iterations" ||
+           heading == "fewest particles of a rank" || heading.find("load imbalance") == 0 ||
+           heading == "mesh changes" || heading == "CG iterations" ||
            heading.find("Newton residual") != std::string::npos;
   }
 

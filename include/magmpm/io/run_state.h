@@ -24,6 +24,9 @@ namespace magmpm
     std::size_t lost_particles     = 0; ///< so far, all ranks
     std::size_t migrated_particles = 0; ///< so far, all ranks
 
+    unsigned int mesh_changes = 0; ///< so far
+    double imbalance = 1.;         ///< load of the most loaded rank over the mean, at the last sort
+
     double max_speed = 0.; ///< of a particle in the last step [m/s]
 
     unsigned int n_solves           = 0; ///< of the potential, so far
