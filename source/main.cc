@@ -12,11 +12,18 @@ using namespace magmpm;
 
 template <int dim>
 static void
-run_scene(const ParameterFile &file, const bool only_validate, std::ostream &terminal)
+run_scene(const ParameterFile &file, const CommandLine &command_line, std::ostream &terminal)
 {
   const Parameters<dim> parameters = read_parameters<dim>(file);
-  if (!only_validate)
-    return Simulation<dim>(parameters, MPI_COMM_WORLD).run();
+  if (command_line.task == CommandLine::Task::run)
+    {
+      std::optional<Checkpoint> checkpoint;
+      if (command_line.resume)
+        checkpoint = CheckpointFolder(
+                       MPI_COMM_WORLD, parameters.output.directory, parameters.checkpoint.n_kept)
+                       .read();
+      return Simulation<dim>(parameters, MPI_COMM_WORLD, checkpoint).run();
+    }
 
   terminal << file.name << ": valid" << std::endl;
   for (const std::string &warning : parameters.warnings)
@@ -36,11 +43,10 @@ run_program(const CommandLine &command_line, std::ostream &terminal)
   else
     {
       const ParameterFile file = read_parameter_file(command_line.file, command_line.overrides);
-      const bool only_validate = command_line.task == Task::validate;
       if (read_dimension(file) == 2)
-        run_scene<2>(file, only_validate, terminal);
+        run_scene<2>(file, command_line, terminal);
       else
-        run_scene<3>(file, only_validate, terminal);
+        run_scene<3>(file, command_line, terminal);
     }
 }
 

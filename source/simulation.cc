@@ -1,11 +1,17 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/mpi.templates.h>
 #include <deal.II/base/timer.h>
+#include <deal.II/base/utilities.h>
 
+#include <magmpm/base/version.h>
 #include <magmpm/boundary/momentum_update.h>
+#include <magmpm/io/number_text.h>
+#include <magmpm/io/parameter_changes.h>
 #include <magmpm/magnetic_coupling.h>
 #include <magmpm/particles/seeding.h>
 #include <magmpm/simulation.h>
+
+#include <boost/serialization/utility.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -34,21 +40,52 @@ namespace magmpm
                         body.material);
     }
 
+    std::optional<RunRecord>
+    unpacked(const std::optional<Checkpoint> &checkpoint)
+    {
+      if (!checkpoint)
+        return {};
+      return dealii::Utilities::unpack<RunRecord>(checkpoint->run, false);
+    }
+
+    std::string
+    listed(const std::vector<std::string> &lines)
+    {
+      std::string text;
+      for (const std::string &line : lines)
+        text += "\n  " + line;
+      return text;
+    }
   } // namespace
 
   template <int dim>
-  Simulation<dim>::Simulation(const Parameters<dim> &parameters, const MPI_Comm communicator)
+  Simulation<dim>::Simulation(const Parameters<dim> &parameters,
+                              const MPI_Comm communicator,
+                              const std::optional<Checkpoint> &checkpoint)
     : parameters(parameters)
     , communicator(communicator)
-    , results(parameters, phases, communicator)
+    , resumed(unpacked(checkpoint))
+    , results(parameters, phases, communicator, resumed ? &resumed->progress : nullptr)
     , timer(std::make_unique<dealii::TimerOutput>(results.log().stream(),
                                                   dealii::TimerOutput::never,
                                                   dealii::TimerOutput::wall_times))
     , external_field(parameters.sources)
     , boundary(parameters.lattice, parameters.walls, external_field)
     , time_step_control(parameters.time_step, parameters.lattice.spacing)
+    , checkpoints(communicator, parameters.output.directory, parameters.checkpoint.n_kept)
+    , control(parameters.checkpoint,
+              parameters.output.directory,
+              dealii::Utilities::MPI::this_mpi_process(communicator))
   {
-    set_up_decomposition();
+    for (const BodyParameters<dim> &body : parameters.bodies)
+      {
+        bodies.emplace_back(body, parameters.material_of(body));
+        const double particle_volume =
+          std::pow(parameters.lattice.spacing / body.particles_per_edge, dim);
+        typical_particle_mass = std::max(typical_particle_mass, body.density * particle_volume);
+      }
+    if (checkpoint)
+      restore(*checkpoint);
   }
 
   template <int dim>
@@ -60,18 +97,19 @@ namespace magmpm
   {
     try
       {
-        seed_bodies();
-        write_statistics();
-        write_frame();
-        while (state.time < (1. - 1e-12) * parameters.end_time)
+        if (!resumed)
+          begin();
+        while (!is_at_end() && !is_stopped())
           {
             advance_one_step();
-            const double next_frame = (state.frame + 1) * parameters.output.frame_interval;
-            if (state.time >= (1. - 1e-9) * std::min(next_frame, parameters.end_time))
+            const bool frame_is_complete = state.time >= (1. - 1e-9) * time_of_next_frame();
+            if (frame_is_complete)
               {
                 ++state.frame;
                 write_frame();
               }
+            if (checkpoint_is_due(frame_is_complete))
+              write_checkpoint();
           }
       }
     catch (const std::exception &exception)
@@ -81,7 +119,41 @@ namespace magmpm
         throw;
       }
     timer->print_wall_time_statistics(communicator);
+    if (is_stopped())
+      results.log().message("stopped by " + RunControl::reason(request) +
+                            "; go on with: magmpm --resume, and the same parameter file");
     results.log().end();
+  }
+
+  template <int dim>
+  double
+  Simulation<dim>::time_of_next_frame() const
+  {
+    return std::min((state.frame + 1) * parameters.output.frame_interval, parameters.end_time);
+  }
+
+  template <int dim>
+  bool
+  Simulation<dim>::is_at_end() const
+  {
+    return state.time >= (1. - 1e-12) * parameters.end_time;
+  }
+
+  template <int dim>
+  bool
+  Simulation<dim>::is_stopped() const
+  {
+    return request > RunControl::Request::checkpoint;
+  }
+
+  template <int dim>
+  bool
+  Simulation<dim>::checkpoint_is_due(const bool frame_is_complete) const
+  {
+    const CheckpointParameters &wanted = parameters.checkpoint;
+    if (wanted.every_n_frames > 0 && frame_is_complete && state.frame % wanted.every_n_frames == 0)
+      return true;
+    return request != RunControl::Request::none || (is_at_end() && wanted.is_wanted());
   }
 
   // One step, section 4.3 of Sun et al. 2021.
@@ -89,11 +161,10 @@ namespace magmpm
   void
   Simulation<dim>::advance_one_step()
   {
-    const double next_frame = std::min((state.frame + 1) * parameters.output.frame_interval,
-                                       parameters.end_time);
-    const TimeStep step     = time_step_control.next_step(step_conditions, next_frame - state.time);
-    state.time_step         = step.length;
-    state.limit             = step.limit;
+    const TimeStep step = time_step_control.next_step(step_conditions,
+                                                      time_of_next_frame() - state.time);
+    state.time_step     = step.length;
+    state.limit         = step.limit;
     if (step.limit != frame_end_limit || state.step == 0)
       {
         state.full_time_step = step.length;
@@ -125,6 +196,12 @@ namespace magmpm
     if (parameters.mesh.carries_potential)
       magnetics = std::make_unique<MagneticCoupling<dim>>(
         parameters, *decomposition, external_field, *timer, communicator);
+    // Where particles are when a run begins or is resumed is no migration, and no change of the mesh.
+    const std::size_t n_migrated = state.migrated_particles;
+    const unsigned int n_changes = state.mesh_changes;
+    regroup_particles();
+    state.migrated_particles = n_migrated;
+    state.mesh_changes       = n_changes;
   }
 
   template <int dim>
@@ -133,20 +210,24 @@ namespace magmpm
   {
     const unsigned int rank    = dealii::Utilities::MPI::this_mpi_process(communicator);
     const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
-    for (unsigned int b = 0; b < parameters.bodies.size(); ++b)
+    for (unsigned int b = 0; b < bodies.size(); ++b)
       {
         const BodyParameters<dim> &body = parameters.bodies[b];
-        bodies.emplace_back(body, parameters.material_of(body));
-        seed_particles(body, parameters.lattice, b, rank, n_ranks, bodies.back());
-        if (dealii::Utilities::MPI::sum(bodies.back().particles.size(), communicator) == 0)
+        seed_particles(body, parameters.lattice, b, rank, n_ranks, bodies[b]);
+        if (dealii::Utilities::MPI::sum(bodies[b].particles.size(), communicator) == 0)
           throw InputError("body '" + body.name +
                            "' holds no particle: it is smaller than the distance between "
                            "particles. Make it larger, or 'Box/Cell size' smaller.");
-        const double particle_volume =
-          std::pow(parameters.lattice.spacing / body.particles_per_edge, dim);
-        typical_particle_mass = std::max(typical_particle_mass, body.density * particle_volume);
       }
-    regroup_particles();
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::begin()
+  {
+    seed_bodies();
+    checkpoints.clear();
+    set_up_decomposition();
     external_field.set_time(0.);
     step_conditions.acceleration = norm(parameters.gravity);
     update_magnetics();
@@ -161,6 +242,8 @@ namespace magmpm
           {sums.max_speed, sums.max_speed + undeformed_wave_speed(body), 0., 1., 1.});
       }
     update_step_conditions(extremes);
+    write_statistics();
+    write_frame();
   }
 
   template <int dim>
@@ -173,12 +256,10 @@ namespace magmpm
       results.log().warning(std::to_string(regrouping.n_lost) +
                             " particles left the box through a wall and were removed");
     state.lost_particles += regrouping.n_lost;
-    if (state.step > 0)
-      state.migrated_particles += regrouping.n_migrated;
+    state.migrated_particles += regrouping.n_migrated;
     if (regrouping.mesh.is_rebalanced)
       results.log().rebalanced(regrouping.mesh.imbalance_before, regrouping.mesh.imbalance);
-    if (state.step > 0)
-      state.mesh_changes += regrouping.mesh.is_change();
+    state.mesh_changes += regrouping.mesh.is_change();
     state.imbalance = regrouping.mesh.imbalance;
     lattice_field.reinit(decomposition->blocks().size());
     drift_since_sort = 0.;
@@ -248,7 +329,9 @@ namespace magmpm
                       e.affine_velocity,
                       e.max_volume_ratio,
                       e.max_inverse_volume_ratio});
+    largest.push_back(static_cast<double>(control.request()));
     dealii::Utilities::MPI::max(largest, communicator, largest);
+    request      = static_cast<RunControl::Request>(largest.back());
     double speed = 0.;
     for (std::size_t b = 0; b < extremes.size(); ++b)
       {
@@ -333,6 +416,67 @@ namespace magmpm
                              sums_of_bodies(),
                              dealii::Utilities::MPI::min(n_particles, communicator),
                              timer->get_summary_data(dealii::TimerOutput::total_wall_time));
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::write_checkpoint()
+  {
+    dealii::TimerOutput::Scope timed(*timer, "Checkpoint");
+    // The run goes on as a run resumed from here will.
+    set_up_decomposition();
+    Checkpoint checkpoint;
+    checkpoint.version    = version_string();
+    checkpoint.parameters = parameters.complete_text;
+    checkpoint.run = dealii::Utilities::pack(RunRecord{state, step_conditions, results.progress()},
+                                             false);
+    for (const Body<dim> &body : bodies)
+      {
+        checkpoint.particles.emplace_back();
+        for (std::size_t p = 0; p < body.particles.size(); ++p)
+          body.particles.append_record(p, checkpoint.particles.back());
+      }
+    try
+      {
+        checkpoints.write("step-" + dealii::Utilities::int_to_string(state.step, 10), checkpoint);
+      }
+    catch (const RunError &error)
+      {
+        // A run that has room to go on does so; one that ends here would lose everything.
+        if (is_stopped())
+          throw;
+        results.log().warning(error.what());
+      }
+    control.restart_interval();
+    control.clear_stop_file();
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::restore(const Checkpoint &checkpoint)
+  {
+    const ParameterChanges changes = parameter_changes(parameters.complete_text,
+                                                       checkpoint.parameters);
+    if (!changes.critical.empty())
+      throw InputError(
+        "this run cannot be resumed with other parameters of what its particles are:" +
+        listed(changes.critical) + "\nPut these back, or start the run anew, without --resume.");
+
+    state           = resumed->state;
+    step_conditions = resumed->step_conditions;
+    for (std::size_t b = 0; b < checkpoint.particles.size(); ++b)
+      bodies[b].particles.append_from_records(checkpoint.particles[b]);
+    external_field.set_time(state.time_of_last_solve);
+    external_field.remember();
+    set_up_decomposition();
+
+    results.write_header(bodies, state.last_solve.n_unknowns);
+    results.log().message("resumed at frame " + std::to_string(state.frame) +
+                          ", t = " + three_digits(state.time) + " s, from " + checkpoints.latest());
+    if (!changes.allowed.empty())
+      results.log().message("parameters changed since the checkpoint:" + listed(changes.allowed));
+    if (checkpoint.version != version_string())
+      results.log().warning("the checkpoint was written by another program: " + checkpoint.version);
   }
 
   template class Simulation<2>;

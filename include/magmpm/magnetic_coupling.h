@@ -10,6 +10,7 @@
 #include <mpi.h>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace dealii
@@ -89,6 +90,6 @@ namespace magmpm
     const MPI_Comm communicator;
 
     std::unique_ptr<PotentialProblem<dim>> problem;
-    unsigned int mesh_of_last_solve = 0; ///< its revision; 0: there was none
+    std::optional<unsigned int> mesh_of_last_solve; ///< its revision
   };
 } // namespace magmpm

@@ -2,6 +2,7 @@
 
 #include <magmpm/boundary/lattice_boundary.h>
 #include <magmpm/domain_decomposition.h>
+#include <magmpm/io/checkpoint.h>
 #include <magmpm/io/parameters.h>
 #include <magmpm/io/results.h>
 #include <magmpm/magnets/external_field.h>
@@ -9,12 +10,15 @@
 #include <magmpm/particles/particle_grid_transfer.h>
 #include <magmpm/particles/particle_sort.h>
 #include <magmpm/particles/particle_sums.h>
+#include <magmpm/run_control.h>
+#include <magmpm/run_record.h>
 #include <magmpm/runaway_check.h>
 #include <magmpm/time_step_control.h>
 
 #include <mpi.h>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace dealii
@@ -35,20 +39,38 @@ namespace magmpm
   class Simulation
   {
   public:
-    Simulation(const Parameters<dim> &parameters, const MPI_Comm communicator);
+    /**
+     * @param checkpoint  of an earlier run of this scene, to go on from; otherwise it starts afresh.
+     * @throw InputError  if the scene is not that of the checkpoint.
+     */
+    Simulation(const Parameters<dim> &parameters,
+               const MPI_Comm communicator,
+               const std::optional<Checkpoint> &checkpoint = {});
     ~Simulation();
 
-    /** @throw RunError if a particle runs away or a solver fails. */
+    /**
+     * Until the end time, or until somebody asks it to stop (see RunControl).
+     *
+     * @throw RunError if a particle runs away or a solver fails.
+     */
     void
     run();
 
   private:
-    /** Empty ones, as at the start: the mesh, its blocks, and the potential problem on them. */
+    /** From no particles to frame 0. */
     void
-    set_up_decomposition();
+    begin();
 
     void
     seed_bodies();
+
+    /** Goes back to where the run was when it wrote a checkpoint. */
+    void
+    restore(const Checkpoint &checkpoint);
+
+    /** Builds anew, from the particles alone: mesh, blocks, potential problem, order of the particles. */
+    void
+    set_up_decomposition();
 
     void
     advance_one_step();
@@ -78,6 +100,26 @@ namespace magmpm
     std::vector<ParticleSums<dim>>
     sums_of_bodies() const;
 
+    double
+    time_of_next_frame() const; ///< or of the end [s]
+
+    bool
+    is_at_end() const;
+
+    bool
+    is_stopped() const;
+
+    bool
+    checkpoint_is_due(const bool frame_is_complete) const;
+
+    /**
+     * Writes a checkpoint, and brings this run to the very state in which a run resumed from it starts:
+     * what is carried along otherwise, such as the mesh, the last potential and its preconditioner, is
+     * built anew in both.
+     */
+    void
+    write_checkpoint();
+
     void
     write_frame();
 
@@ -87,6 +129,7 @@ namespace magmpm
     const Parameters<dim> parameters;
     const MPI_Comm communicator;
 
+    const std::optional<RunRecord> resumed; ///< where an earlier run was
     Results<dim> results;
     std::unique_ptr<dealii::TimerOutput> timer;
 
@@ -98,6 +141,10 @@ namespace magmpm
 
     std::vector<Body<dim>> bodies;
     NodeField<dim> lattice_field; ///< {momentum or velocity, mass}
+
+    CheckpointFolder checkpoints;
+    RunControl control;
+    RunControl::Request request = RunControl::Request::none; ///< of all ranks, in the last step
 
     RunState state;
     StepConditions step_conditions;

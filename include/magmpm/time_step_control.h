@@ -25,6 +25,18 @@ namespace magmpm
     double kinematic_viscosity = 0.; ///< J mu_N/rho_0 [m^2/s]
     double acceleration        = 0.; ///< of gravity and magnets [m/s^2]
     double affine_velocity     = 0.; ///< |C| [1/s]
+
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &signal_speed;
+      archive &magnetic_wave_speed;
+      archive &collider_speed;
+      archive &kinematic_viscosity;
+      archive &acceleration;
+      archive &affine_velocity;
+    }
   };
 
   /**

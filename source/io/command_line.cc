@@ -19,7 +19,7 @@ namespace magmpm
     InputError
     unknown_option(const std::string &option)
     {
-      std::vector<std::string> known = {"--set"};
+      std::vector<std::string> known = {"--set", "--resume"};
       for (const auto &task : tasks)
         known.push_back(task.first);
       return InputError("unknown option '" + option + "'" + did_you_mean(option, known) +
@@ -37,6 +37,8 @@ namespace magmpm
         const auto task             = tasks.find(argument);
         if (task != tasks.end())
           command_line.task = task->second;
+        else if (argument == "--resume")
+          command_line.resume = true;
         else if (argument == "--set")
           {
             if (++i == arguments.size())
@@ -64,12 +66,13 @@ namespace magmpm
   std::string
   usage()
   {
-    return R"(magmpm FILE.prm [--set "Section/Name=value"]... [--validate]
+    return R"(magmpm FILE.prm [--resume] [--set "Section/Name=value"]... [--validate]
 magmpm --print-parameters | --version | --help
 
 Simulates the scene of the parameter file; its results go into the folder output-FILE.
 
   --set "Section/Name=value"  overrides a value of the file, as in --set "Bodies/cube/Density=1000"
+  --resume                    goes on from the latest checkpoint of the scene
   --validate                  reads and checks the file, and runs nothing
   --print-parameters          prints the manual of all parameters (Markdown)
   --version                   prints the versions of magmpm and its libraries

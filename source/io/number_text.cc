@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstdio>
 #include <iterator>
+#include <sstream>
+#include <utility>
 
 namespace magmpm
 {
@@ -69,5 +71,20 @@ namespace magmpm
     if (whole < 3600)
       return formatted("%ld min %ld s", whole / 60, whole % 60);
     return formatted("%ld h %ld min", whole / 3600, whole % 3600 / 60);
+  }
+
+  std::optional<double>
+  seconds_from(const std::string &text)
+  {
+    std::istringstream stream(text);
+    double number = 0.;
+    std::string unit, rest;
+    stream >> number >> unit;
+    if (stream.fail() || (stream >> rest) || !(number > 0.))
+      return {};
+    for (const auto &[name, seconds] : {std::pair{"s", 1.}, {"min", 60.}, {"h", 3600.}})
+      if (unit == name)
+        return number * seconds;
+    return {};
   }
 } // namespace magmpm

@@ -38,6 +38,24 @@ namespace magmpm
                        "-",
                        "Folder for all results; not given: output-<name of the parameter file>.",
                        Presence::optional);
+      declarations.add(
+        "Checkpoint every",
+        input.checkpoint_every,
+        "s, min, h or frames",
+        "When a checkpoint is written, from which 'magmpm --resume' goes on: after so much "
+        "wall time (10 min, 2 h), after every so many frames (20 frames; then the same run "
+        "gives the same numbers again), or never.");
+      declarations.add("Checkpoints kept",
+                       parameters.checkpoint.n_kept,
+                       "-",
+                       "Checkpoints that stay on the disk, the latest included.",
+                       at_least_one);
+      declarations.add(
+        "End wall time",
+        input.end_wall_time,
+        "s, min or h",
+        "Wall time after which the run finishes its step, writes a checkpoint and ends (11.5 h), "
+        "or never. So do a file 'stop' in the output directory, SIGUSR1 and SIGTERM.");
 
       const auto section = declarations.enter("Box");
       declarations.add("Lower corner",

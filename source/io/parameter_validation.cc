@@ -1,4 +1,5 @@
 #include <magmpm/io/body_geometry.h>
+#include <magmpm/io/number_text.h>
 #include <magmpm/io/parameter_names.h>
 #include <magmpm/io/parameter_validation.h>
 #include <magmpm/magnets/motion_script.h>
@@ -6,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
 #include <sstream>
 
 namespace magmpm
@@ -413,6 +415,31 @@ namespace magmpm
         }
     }
 
+    template <int dim>
+    void
+    convert_checkpoint(const ParameterRegister &declarations,
+                       const ParameterInput<dim> &input,
+                       CheckpointParameters &checkpoint)
+    {
+      const std::regex frames("([1-9][0-9]{0,8}) frames?");
+      std::smatch number;
+      if (const auto seconds = seconds_from(input.checkpoint_every))
+        checkpoint.wall_interval = *seconds;
+      else if (std::regex_match(input.checkpoint_every, number, frames))
+        checkpoint.every_n_frames = std::stoi(number[1]);
+      else if (input.checkpoint_every != "never")
+        throw declarations.error(
+          "Checkpoint every",
+          "must be a wall time (90 s, 10 min, 2 h), a number of frames (20 frames), "
+          "or never.");
+
+      if (const auto seconds = seconds_from(input.end_wall_time))
+        checkpoint.end_wall_time = *seconds;
+      else if (input.end_wall_time != "never")
+        throw declarations.error("End wall time",
+                                 "must be a wall time (90 s, 10 min, 11.5 h) or never.");
+    }
+
     /** What is allowed but probably not meant. */
     template <int dim>
     void
@@ -450,6 +477,7 @@ namespace magmpm
     check_bodies(declarations, input, parameters);
     check_sources(declarations, parameters);
     check_times(declarations, parameters);
+    convert_checkpoint(declarations, input, parameters.checkpoint);
 
     parameters.magnetics.shielded = parameters.mesh.shielded;
     parameters.mesh.carries_potential =

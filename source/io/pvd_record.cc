@@ -16,12 +16,12 @@ namespace magmpm
   void
   PvdRecord::add(const double time, const std::string &file)
   {
-    frames.emplace_back(time, file);
+    all_frames.emplace_back(time, file);
 
     const std::string unfinished = path + ".unfinished";
     {
       std::ofstream output(unfinished);
-      dealii::DataOutBase::write_pvd_record(output, frames);
+      dealii::DataOutBase::write_pvd_record(output, all_frames);
       output.close();
       if (!output)
         throw RunError("The list of frames '" + unfinished +

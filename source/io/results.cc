@@ -106,7 +106,8 @@ namespace magmpm
   template <int dim>
   Results<dim>::Results(const Parameters<dim> &parameters,
                         const std::vector<std::string> &phases,
-                        const MPI_Comm communicator)
+                        const MPI_Comm communicator,
+                        const ResultsProgress *progress)
     : parameters(parameters)
     , communicator(communicator)
     , phases(phases)
@@ -115,15 +116,36 @@ namespace magmpm
               static_cast<unsigned int>(
                 std::ceil(parameters.end_time / parameters.output.frame_interval - 1e-9)),
               parameters.output.frame_interval,
-              std::cout)
+              std::cout,
+              progress != nullptr)
     , statistics(communicator,
                  parameters.output.directory + "/statistics.csv",
-                 statistics_columns<dim>(names_of_bodies(parameters), phases))
+                 statistics_columns<dim>(names_of_bodies(parameters), phases),
+                 progress != nullptr ? progress->statistics_size : 0)
     , particle_output(communicator, parameters.output.directory)
   {
     if (parameters.mesh.carries_potential && parameters.output.write_fields)
       field_output = std::make_unique<FieldOutput<dim>>(
         communicator, parameters.output.directory, parameters.output.field_quantities);
+    if (progress == nullptr)
+      return;
+    particle_output.frames().resume(progress->particle_frames);
+    if (field_output != nullptr)
+      field_output->frames().resume(progress->field_frames);
+    solves_before = progress->n_solves;
+  }
+
+  template <int dim>
+  ResultsProgress
+  Results<dim>::progress()
+  {
+    ResultsProgress progress;
+    progress.statistics_size = statistics.size();
+    progress.particle_frames = particle_output.frames().frames();
+    if (field_output != nullptr)
+      progress.field_frames = field_output->frames().frames();
+    progress.n_solves = solves_before;
+    return progress;
   }
 
   template <int dim>

@@ -97,7 +97,8 @@ namespace magmpm
                  const std::string &directory,
                  const unsigned int n_frames,
                  const double frame_interval,
-                 std::ostream &terminal)
+                 std::ostream &terminal,
+                 const bool resumes)
     : n_frames(n_frames)
     , frame_interval(frame_interval)
     , directory(directory)
@@ -110,7 +111,7 @@ namespace magmpm
     if (rank == 0)
       {
         const std::string path = directory + "/log.txt";
-        file.open(path);
+        file.open(path, resumes ? std::ios::app : std::ios::out);
         if (!file)
           throw RunError("The log '" + path + "' cannot be opened for writing. Is there such a " +
                          "folder, and are you allowed to write there?");
@@ -229,6 +230,7 @@ namespace magmpm
       {"fields.pvd", "magnetic fields on the mesh (ParaView)"},
       {"statistics.csv", "a row a step; doc/statistics.md says what the columns mean"},
       {"log.txt", "these lines"},
+      {"checkpoint", "to go on from, with --resume"},
       {"parameters.prm", "every parameter of this run; original.prm is the file as given"}};
     for (const auto &[name, meaning] : results)
       if (std::filesystem::exists(std::filesystem::path(directory) / name))

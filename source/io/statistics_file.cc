@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
 #include <iterator>
 #include <stdexcept>
 
@@ -35,7 +36,8 @@ namespace magmpm
 
   StatisticsFile::StatisticsFile(const MPI_Comm communicator,
                                  const std::string &path,
-                                 const std::vector<StatisticsColumn> &table)
+                                 const std::vector<StatisticsColumn> &table,
+                                 const std::uintmax_t size_to_keep)
     : path(path)
     , row(table.size())
   {
@@ -54,12 +56,41 @@ namespace magmpm
     if (!is_writer)
       return;
 
+    if (size_to_keep > 0)
+      reopen(size_to_keep, joined(headings));
+    else
+      create(joined(headings));
+  }
+
+  void
+  StatisticsFile::create(const std::string &headings)
+  {
     file.open(path);
     if (!file)
       throw RunError("The statistics file '" + path +
                      "' cannot be opened for writing. Is there such a folder, and are you allowed "
                      "to write there?");
-    file << joined(headings);
+    file << headings;
+  }
+
+  void
+  StatisticsFile::reopen(const std::uintmax_t size_to_keep, const std::string &headings)
+  {
+    std::string first_line;
+    std::getline(std::ifstream(path), first_line);
+    if (first_line + '\n' != headings)
+      throw RunError(
+        "The statistics file '" + path +
+        "' is missing or has other columns than this run: it cannot be continued. Was it "
+        "changed, or made by another version?");
+    if (std::filesystem::file_size(path) < size_to_keep)
+      throw RunError("The statistics file '" + path +
+                     "' is shorter than when the checkpoint was written: rows are missing. Was it "
+                     "changed?");
+    std::filesystem::resize_file(path, size_to_keep);
+    file.open(path, std::ios::app);
+    if (!file)
+      throw RunError("The statistics file '" + path + "' cannot be opened to go on with it.");
   }
 
   std::string &
@@ -105,5 +136,12 @@ namespace magmpm
   {
     if (is_writer && !file.flush())
       throw RunError("The statistics file '" + path + "' cannot be written. Is the disk full?");
+  }
+
+  std::uintmax_t
+  StatisticsFile::size()
+  {
+    flush();
+    return is_writer ? std::filesystem::file_size(path) : 0;
   }
 } // namespace magmpm

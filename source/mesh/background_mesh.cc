@@ -311,7 +311,8 @@ namespace magmpm
     for (std::size_t b = 0; b < blocks.size(); ++b)
       mesh.particles_in_block[block_key<dim>(blocks[b])] += weights[b];
 
-    const bool is_fine = mesh.is_fine(dilated<dim>(blocks, 1));
+    // The first mesh counts as one that does not serve: no cell of it was dealt out by weight.
+    const bool is_fine = mesh.is_fine(dilated<dim>(blocks, 1)) && the_revision > 0;
     MeshAdaptation result;
     result.imbalance_before = mesh.imbalance();
     result.imbalance        = result.imbalance_before;

@@ -5,7 +5,7 @@
 
 namespace magmpm
 {
-  /** What the user asked for: magmpm FILE.prm [--set "Section/Name=value"]... [option]. */
+  /** What the user asked for: magmpm FILE.prm [--resume] [--set "Section/Name=value"]... [option]. */
   struct CommandLine
   {
     enum class Task
@@ -18,6 +18,7 @@ namespace magmpm
     };
 
     Task task = Task::run;
+    bool resume = false;                ///< from the latest checkpoint
     std::string file;                   ///< empty if the task needs none
     std::vector<std::string> overrides; ///< what follows each --set
   };

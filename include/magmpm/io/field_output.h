@@ -58,6 +58,13 @@ namespace magmpm
     static const std::vector<std::string> &
     quantity_names();
 
+    /** The frames written so far, fields.pvd. */
+    PvdRecord &
+    frames()
+    {
+      return record;
+    }
+
   private:
     const MPI_Comm communicator;
     const std::string directory;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 /** Numbers as people like to read them. */
@@ -24,4 +25,8 @@ namespace magmpm
   /** 90.3 [s] as "1 min 30 s": the two largest of h, min, s; tenths below ten seconds. */
   std::string
   duration(const double seconds);
+
+  /** "90 s", "10 min" or "1.5 h" in seconds; nothing if the text is no positive time of this kind. */
+  std::optional<double>
+  seconds_from(const std::string &text);
 } // namespace magmpm

@@ -38,6 +38,7 @@ namespace magmpm
     SolveTriggerParameters solve_trigger;
     RunawayLimits runaway_limits;
     OutputParameters output;
+    CheckpointParameters checkpoint;
 
     /** What is allowed but probably not meant, to be told to the user. */
     std::vector<std::string> warnings;

@@ -51,6 +51,13 @@ namespace magmpm
                 const std::vector<Vector<dim>> &positions,
                 const std::vector<ParticleQuantity> &quantities);
 
+    /** The frames written so far, particles.pvd. */
+    PvdRecord &
+    frames()
+    {
+      return record;
+    }
+
   private:
     const MPI_Comm communicator;
     const std::string directory;

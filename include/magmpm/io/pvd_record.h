@@ -27,8 +27,22 @@ namespace magmpm
     void
     add(const double time, const std::string &file);
 
+    /** The frames so far: time [s] and file of each. */
+    const std::vector<std::pair<double, std::string>> &
+    frames() const
+    {
+      return all_frames;
+    }
+
+    /** Goes on behind the frames of an earlier run; the next add() writes the file. */
+    void
+    resume(const std::vector<std::pair<double, std::string>> &frames_so_far)
+    {
+      all_frames = frames_so_far;
+    }
+
   private:
     const std::string path;
-    std::vector<std::pair<double, std::string>> frames;
+    std::vector<std::pair<double, std::string>> all_frames;
   };
 } // namespace magmpm

@@ -10,9 +10,11 @@
 
 #include <mpi.h>
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace dealii
@@ -33,6 +35,24 @@ namespace magmpm
   template <int dim>
   class ExternalField;
 
+  /** How far the files of a run got, for a checkpoint. */
+  struct ResultsProgress
+  {
+    std::uintmax_t statistics_size = 0; ///< [bytes]
+    std::vector<std::pair<double, std::string>> particle_frames, field_frames; ///< time [s], file
+    unsigned int n_solves = 0; ///< of the potential, until the last line of the log
+
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &statistics_size;
+      archive &particle_frames;
+      archive &field_frames;
+      archive &n_solves;
+    }
+  };
+
   /**
    * The output folder of a run: original.prm, parameters.prm, log.txt, statistics.csv, and the
    * frames particles.pvd and fields.pvd. All functions are collective.
@@ -44,12 +64,15 @@ namespace magmpm
     /**
      * Makes the folder and opens its files.
      *
-     * @param phases  timer sections that are columns of the statistics.
-     * @throw RunError if the folder or a file cannot be made.
+     * @param phases    timer sections that are columns of the statistics.
+     * @param progress  how far an earlier run got: its files go on from there, and what they say of later
+     *                  times is taken back. Null: the files are new.
+     * @throw RunError if the folder or a file cannot be made, or continued.
      */
     Results(const Parameters<dim> &parameters,
             const std::vector<std::string> &phases,
-            const MPI_Comm communicator);
+            const MPI_Comm communicator,
+            const ResultsProgress *progress = nullptr);
     ~Results();
 
     RunLog &
@@ -95,6 +118,10 @@ namespace magmpm
                      const std::vector<ParticleSums<dim>> &sums,
                      const double fewest_particles,
                      const std::map<std::string, double> &seconds);
+
+    /** How far the files got; what counts is that of rank 0. */
+    ResultsProgress
+    progress();
 
     /** Makes sure that what was written survives an early end. */
     void

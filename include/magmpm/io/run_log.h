@@ -62,13 +62,15 @@ namespace magmpm
      * @param n_frames        of the whole run, for percent and time left.
      * @param frame_interval  simulated time between frames [s]: tells the digits of t.
      * @param terminal        where the terminal's half goes (std::cout; tests listen elsewhere).
+     * @param resumes         whether log.txt of an earlier run goes on.
      * @throw RunError on rank 0 if log.txt cannot be opened.
      */
     RunLog(const MPI_Comm communicator,
            const std::string &directory,
            const unsigned int n_frames,
            const double frame_interval,
-           std::ostream &terminal);
+           std::ostream &terminal,
+           const bool resumes = false);
     ~RunLog();
 
     /** The first lines: versions (version_string()), ranks, lattice and particles, bodies. */

@@ -42,6 +42,22 @@ namespace magmpm
     double max_speed_ratio  = 20.;  ///< speed over the undeformed wave speed of the material
   };
 
+  /** When a run writes checkpoints, and when it stops by itself before its end time. */
+  struct CheckpointParameters
+  {
+    int every_n_frames   = 0;                                       ///< 0: not by frames
+    double wall_interval = std::numeric_limits<double>::infinity(); ///< between two checkpoints [s]
+    double end_wall_time = std::numeric_limits<double>::infinity(); ///< since the program began [s]
+    int n_kept           = 2;
+
+    /** Whether the run writes any by itself. */
+    bool
+    is_wanted() const
+    {
+      return every_n_frames > 0 || wall_interval < std::numeric_limits<double>::infinity();
+    }
+  };
+
   /** What is written, where and how often. */
   struct OutputParameters
   {

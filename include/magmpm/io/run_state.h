@@ -42,5 +42,32 @@ namespace magmpm
     double drift_since_solve  = 0.; ///< the longest way of magnetic particles, or more [m]
     double path_since_solve   = 0.; ///< the sum of the steps of the fastest particles [m]
     double carried_way        = 0.; ///< for which the carried force was advanced [m]
+
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &time;
+      archive &step;
+      archive &frame;
+      archive &time_step;
+      archive &limit;
+      archive &full_time_step;
+      archive &full_limit;
+      archive &lost_particles;
+      archive &migrated_particles;
+      archive &mesh_changes;
+      archive &imbalance;
+      archive &max_speed;
+      archive &n_solves;
+      archive &step_of_last_solve;
+      archive &solved_this_step;
+      archive &last_solve;
+      archive &dropped_magnetic_force;
+      archive &time_of_last_solve;
+      archive &drift_since_solve;
+      archive &path_since_solve;
+      archive &carried_way;
+    }
   };
 } // namespace magmpm

@@ -4,6 +4,7 @@
 
 #include <mpi.h>
 
+#include <cstdint>
 #include <fstream>
 #include <string>
 #include <unordered_map>
@@ -45,13 +46,18 @@ namespace magmpm
   {
   public:
     /**
-     * Opens the file (an old one is lost) and writes the headings.
+     * Opens the file (an old one is lost) and writes the headings; or goes on with the file of an earlier
+     * run.
      *
-     * @throw RunError on rank 0 if the file cannot be opened.
+     * @param size_to_keep  bytes of the earlier file that count, from size(); what follows is cut off.
+     *                      Zero: a new file.
+     * @throw RunError on rank 0 if the file cannot be opened, or the earlier one is shorter than that or
+     *                 has other columns.
      */
     StatisticsFile(const MPI_Comm communicator,
                    const std::string &path,
-                   const std::vector<StatisticsColumn> &columns);
+                   const std::vector<StatisticsColumn> &columns,
+                   const std::uintmax_t size_to_keep = 0);
 
     void
     set(const std::string &name, const double value);
@@ -80,7 +86,18 @@ namespace magmpm
     void
     flush();
 
+    /** Length of the file with all rows so far [bytes]; zero on ranks other than 0. */
+    std::uintmax_t
+    size();
+
   private:
+    void
+    create(const std::string &headings);
+
+    /** Cuts the file behind the rows that count, and opens it to go on. */
+    void
+    reopen(const std::uintmax_t size_to_keep, const std::string &headings);
+
     std::string &
     cell(const std::string &name);
 

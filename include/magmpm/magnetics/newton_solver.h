@@ -17,6 +17,16 @@ namespace magmpm
     int line_search_steps = 0;     ///< halvings of a step, in all
     int linear_iterations = 0;     ///< of the linear solver, in all
     std::vector<double> residuals; ///< norms, the one at the start first
+
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &steps;
+      archive &line_search_steps;
+      archive &linear_iterations;
+      archive &residuals;
+    }
   };
 
   /** When a Newton solve ends. */

@@ -28,5 +28,18 @@ namespace magmpm
     {
       return zero_residual > 0. ? newton.residuals.back() / zero_residual : 0.;
     }
+
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &newton;
+      archive &zero_residual;
+      archive &preconditioner_rebuilt;
+      archive &energy;
+      archive &n_unknowns;
+      archive &clipped_fractions;
+      archive &clipped_corrections;
+    }
   };
 } // namespace magmpm
