@@ -58,7 +58,8 @@ namespace magmpm
     speed = dealii::Utilities::MPI::max(speed, communicator);
     if (speed == 0.)
       return {};
-    return approached_blocks(bodies, lattice, foreseen_way * lattice.spacing / speed, has_force);
+    return approached_blocks<dim>(
+      bodies, lattice, foreseen_way * lattice.spacing / speed, has_force);
   }
 
   template <int dim>

@@ -470,7 +470,7 @@ namespace magmpm
     external_field.remember();
     set_up_decomposition();
 
-    results.write_header(bodies, state.last_solve.n_unknowns);
+    results.write_header(state, bodies);
     results.log().message("resumed at frame " + std::to_string(state.frame) +
                           ", t = " + three_digits(state.time) + " s, from " + checkpoints.latest());
     if (!changes.allowed.empty())

@@ -32,7 +32,7 @@ subsection Bodies
   subsection layer
     set Material     = oil
     set Lower corner = 1, 0
-    set Upper corner = 7, 1
+    set Upper corner = 7, 0.998
     set Density      = 1
   end
 end

@@ -57,8 +57,8 @@ end
     }
   } // namespace
 
-  double
-  hydrostatic_error(const int cells)
+  HydrostaticErrors
+  hydrostatic_errors(const int cells)
   {
     const ParticleFrame frame =
       particle_frames(run_scene("hydrostatic-column-" + std::to_string(cells), scene(cells)))
@@ -73,16 +73,20 @@ end
       return frame.positions[a][1] < frame.positions[b][1];
     });
     const std::size_t per_layer = frame.size() / cells;
-    double largest              = 0.;
+    HydrostaticErrors errors    = {};
     for (int layer = 0; layer < cells; ++layer)
       {
         double pressure = 0.;
         for (std::size_t i = 0; i < per_layer; ++i)
           pressure += bulk_modulus * (1. - volume_ratios[order[layer * per_layer + i]][0]) /
                       per_layer;
-        const double above = depth * (1. - (layer + 0.5) / cells);
-        largest            = std::max(largest, std::abs(pressure - density * gravity * above));
+        const double above = 1. - (layer + 0.5) / cells;
+        const double error = pressure / (density * gravity * depth) - above;
+        if (layer == 0)
+          errors.floor_cell = error;
+        else
+          errors.inside = std::max(errors.inside, std::abs(error));
       }
-    return largest / (density * gravity * depth);
+    return errors;
   }
 } // namespace magmpm::benchmarks

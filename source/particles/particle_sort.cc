@@ -147,7 +147,7 @@ namespace magmpm
   }
 
 #define INSTANTIATE(dim)                                                                    \
-  template std::vector<Index<dim>> approached_blocks(                                       \
+  template std::vector<Index<dim>> approached_blocks<dim>(                                  \
     const std::vector<Body<dim>> &, const Lattice<dim> &, const double, const bool);        \
   template OccupiedBlocks<dim> occupied_blocks(                                             \
     const std::vector<Body<dim>> &, const Lattice<dim> &, const bool);                      \
