@@ -1,9 +1,12 @@
 #include <deal.II/base/mpi.h>
 
 #include <magmpm/domain_decomposition.h>
+#include <magmpm/io/number_text.h>
+#include <magmpm/particles/box_faces.h>
 #include <magmpm/particles/particle_migration.h>
 
 #include <algorithm>
+#include <sstream>
 
 namespace magmpm
 {
@@ -14,7 +17,30 @@ namespace magmpm
      * change costs the set-up of a solve; every block more costs unknowns in all solves to come.
      */
     constexpr double foreseen_way = 4.; // in dx
-  }                                     // namespace
+
+    template <int dim>
+    std::string
+    describe(const Departure<dim> &departure, const std::string &body)
+    {
+      std::ostringstream text;
+      text << "particle " << departure.id << " of body '" << body << "' through '"
+           << (departure.face % 2 == 0 ? "Lower " : "Upper ") << "xyz"[departure.face / 2]
+           << "', to (" << components(departure.position) << ") m with a velocity of ("
+           << components(departure.velocity) << ") m/s";
+      return text.str();
+    }
+  } // namespace
+
+  std::string
+  report(const Regrouping &regrouping, const double time)
+  {
+    const bool one = (regrouping.n_lost == 1);
+    std::ostringstream text;
+    text << regrouping.n_lost << (one ? " particle has" : " particles have")
+         << " left the box by t = " << time << " s: " << (one ? "" : "one is ")
+         << regrouping.first_lost << ".";
+    return text.str();
+  }
 
   template <int dim>
   DomainDecomposition<dim>::DomainDecomposition(const Parameters<dim> &parameters,
@@ -28,12 +54,23 @@ namespace magmpm
   }
 
   template <int dim>
-  typename DomainDecomposition<dim>::Regrouping
+  Regrouping
   DomainDecomposition<dim>::regroup(std::vector<Body<dim>> &bodies)
   {
     std::size_t n_lost = 0;
+    std::string first_lost;
     for (Body<dim> &body : bodies)
-      n_lost += remove_lost_particles(lattice, body);
+      {
+        const std::vector<Departure<dim>> departed = remove_departed(lattice, body);
+        if (n_lost == 0 && !departed.empty())
+          first_lost = describe(departed.front(), body.name);
+        n_lost += departed.size();
+      }
+    n_lost = dealii::Utilities::MPI::sum(n_lost, communicator);
+    if (n_lost > 0)
+      for (const std::string &text : dealii::Utilities::MPI::all_gather(communicator, first_lost))
+        if (first_lost.empty())
+          first_lost = text;
 
     const OccupiedBlocks<dim> occupied = occupied_blocks(bodies, lattice, has_force);
     Regrouping done;
@@ -43,7 +80,8 @@ namespace magmpm
     block_partition.rebuild(occupied_blocks(bodies, lattice, has_force).blocks);
     for (Body<dim> &body : bodies)
       sort_into_blocks(blocks(), lattice, body);
-    done.n_lost = dealii::Utilities::MPI::sum(n_lost, communicator);
+    done.n_lost     = n_lost;
+    done.first_lost = first_lost;
     return done;
   }
 

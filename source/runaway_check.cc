@@ -1,5 +1,6 @@
 #include <deal.II/base/mpi.h>
 
+#include <magmpm/io/number_text.h>
 #include <magmpm/particles/particle_sums.h>
 #include <magmpm/runaway_check.h>
 
@@ -47,18 +48,16 @@ namespace magmpm
              const double max_speed,
              const RunState &state)
     {
-      const Vector<dim> x = body.particles.position(p);
+      const Vector<dim> velocity = body.particles.vector(ParticleProperty::velocity, p);
       std::ostringstream text;
-      text << "particle " << body.particles.ids()[p] << " of body '" << body.name
-           << "' ran away at t = " << state.time + state.time_step << " s (step " << state.step + 1
-           << ", dt = " << state.time_step << " s, limit: " << state.limit
-           << "): J = " << particle_volume_ratio(body, p)
-           << " (allowed: " << limits.min_volume_ratio << " to " << limits.max_volume_ratio
-           << "), speed " << norm(body.particles.vector(ParticleProperty::velocity, p))
-           << " m/s (allowed: up to " << max_speed << " m/s), position (";
-      for (int d = 0; d < dim; ++d)
-        text << (d > 0 ? ", " : "") << x[d];
       text
+        << "particle " << body.particles.ids()[p] << " of body '" << body.name
+        << "' ran away at t = " << state.time + state.time_step << " s (step " << state.step + 1
+        << ", dt = " << state.time_step << " s, limit: " << state.limit
+        << "): J = " << particle_volume_ratio(body, p) << " (allowed: " << limits.min_volume_ratio
+        << " to " << limits.max_volume_ratio << "), speed " << norm(velocity)
+        << " m/s (allowed: up to " << max_speed << " m/s), velocity (" << components(velocity)
+        << ") m/s, position (" << components(body.particles.position(p))
         << ") m. The last frame written is good. Take a smaller time step, a stiffer material or "
            "a weaker field; the limits are parameters of the section 'Runaway limits'.";
       return text.str();

@@ -5,6 +5,7 @@
 
 #include <magmpm/base/version.h>
 #include <magmpm/boundary/momentum_update.h>
+#include <magmpm/fluid_density.h>
 #include <magmpm/io/number_text.h>
 #include <magmpm/io/parameter_changes.h>
 #include <magmpm/magnetic_coupling.h>
@@ -23,6 +24,7 @@ namespace magmpm
     /** Timer sections of a step, the verbs of the algorithm: columns of the statistics. */
     const std::vector<std::string> phases = {"Sort and migrate",
                                              "Solve potential",
+                                             "Relax density",
                                              "P2G",
                                              "Update lattice",
                                              "G2P",
@@ -38,6 +40,16 @@ namespace magmpm
     {
       return std::visit([](const auto &law) { return law.viscosity() / law.density; },
                         body.material);
+    }
+
+    template <int dim>
+    OpenFaces<dim>
+    open_faces(const WallParameters<dim> &walls)
+    {
+      OpenFaces<dim> open;
+      for (std::size_t face = 0; face < open.size(); ++face)
+        open[face] = (walls.condition[face] == WallCondition::open);
+      return open;
     }
 
     std::optional<RunRecord>
@@ -71,6 +83,7 @@ namespace magmpm
                                                   dealii::TimerOutput::wall_times))
     , external_field(parameters.sources)
     , boundary(parameters.lattice, parameters.walls, external_field)
+    , open(open_faces(parameters.walls))
     , time_step_control(parameters.time_step, parameters.lattice.spacing)
     , checkpoints(communicator, parameters.output.directory, parameters.checkpoint.n_kept)
     , control(parameters.checkpoint,
@@ -161,10 +174,10 @@ namespace magmpm
   void
   Simulation<dim>::advance_one_step()
   {
-    const TimeStep step = time_step_control.next_step(step_conditions,
-                                                      time_of_next_frame() - state.time);
-    state.time_step     = step.length;
-    state.limit         = step.limit;
+    const TimeStep step =
+      time_step_control.next_step(step_conditions, state.time, time_of_next_frame());
+    state.time_step = step.length;
+    state.limit     = step.limit;
     if (step.limit != frame_end_limit || state.step == 0)
       {
         state.full_time_step = step.length;
@@ -173,7 +186,8 @@ namespace magmpm
     state.solved_this_step = false;
 
     external_field.set_time(state.time);
-    update_magnetics();               // Eqs. (25)-(33)
+    update_magnetics(); // Eqs. (25)-(33)
+    relax_fluids();
     transfer_to_lattice(step.length); // Eq. (28)
     update_lattice();                 // Eqs. (33), (34)
     transfer_to_particles();          // Eqs. (35)-(37)
@@ -238,8 +252,11 @@ namespace magmpm
     for (const ParticleSums<dim> &sums : sums_of_bodies())
       {
         const Body<dim> &body = bodies[extremes.size()];
-        extremes.push_back(
-          {sums.max_speed, sums.max_speed + undeformed_wave_speed(body), 0., 1., 1.});
+        extremes.push_back({sums.max_speed,
+                            sums.max_speed + undeformed_wave_speed(body),
+                            sums.max_affine_velocity,
+                            1.,
+                            1.});
       }
     update_step_conditions(extremes);
     write_statistics();
@@ -253,8 +270,13 @@ namespace magmpm
     dealii::TimerOutput::Scope timed(*timer, "Sort and migrate");
     const auto regrouping = decomposition->regroup(bodies);
     if (regrouping.n_lost > 0)
-      results.log().warning(std::to_string(regrouping.n_lost) +
-                            " particles left the box through a wall and were removed");
+      {
+        const std::string text = report(regrouping, state.time);
+        if (!parameters.walls.removes_leaving_particles)
+          throw RunError(text + " Take a larger box, another condition than open for this face, or "
+                                "'Particles leaving the box = remove' in the section 'Walls'.");
+        results.log().warning(text);
+      }
     state.lost_particles += regrouping.n_lost;
     state.migrated_particles += regrouping.n_migrated;
     if (regrouping.mesh.is_rebalanced)
@@ -263,6 +285,23 @@ namespace magmpm
     state.imbalance = regrouping.mesh.imbalance;
     lattice_field.reinit(decomposition->blocks().size());
     drift_since_sort = 0.;
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::relax_fluids()
+  {
+    if (!has_fluid(bodies) || state.step % relaxation_period != 0)
+      return;
+    dealii::TimerOutput::Scope timed(*timer, "Relax density");
+    // P2G fills the lattice field anew after this.
+    state.density_error = relax_density(relaxation_period * state.time_step,
+                                        decomposition->partition(),
+                                        parameters.lattice,
+                                        open,
+                                        communicator,
+                                        lattice_field,
+                                        bodies);
   }
 
   template <int dim>
@@ -318,6 +357,10 @@ namespace magmpm
     dealii::TimerOutput::Scope timed(*timer, "G2P");
     std::vector<ParticleExtremes> extremes = lattice_to_particles(
       lattice_field, decomposition->blocks(), parameters.lattice, state.time_step, bodies);
+    std::size_t n_held = 0;
+    for (Body<dim> &body : bodies)
+      n_held += hold_at_walls(decomposition->blocks(), parameters.lattice, open, body);
+    state.held_particles += dealii::Utilities::MPI::sum(n_held, communicator);
 
     // The largest of all ranks, in one exchange.
     constexpr int n_extremes = sizeof(ParticleExtremes) / sizeof(double);

@@ -9,10 +9,24 @@
 #include <mpi.h>
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace magmpm
 {
+  /** What a regrouping of particles did, counted over all ranks. */
+  struct Regrouping
+  {
+    std::size_t n_lost = 0;     ///< particles that had left the box and were removed
+    std::string first_lost;     ///< one of them in words
+    std::size_t n_migrated = 0; ///< particles that changed their rank
+    MeshAdaptation mesh;
+  };
+
+  /** A sentence about the particles that were lost. @param time  of now [s]. */
+  std::string
+  report(const Regrouping &regrouping, const double time);
+
   /**
    * Which rank holds which part of the box: the mesh, the blocks around the particles, and the
    * particles, each on the rank and in the slot of its block.
@@ -22,14 +36,6 @@ namespace magmpm
   {
   public:
     DomainDecomposition(const Parameters<dim> &parameters, const MPI_Comm communicator);
-
-    /** What regroup() did, counted over all ranks. */
-    struct Regrouping
-    {
-      std::size_t n_lost     = 0; ///< particles that had left the box and were removed
-      std::size_t n_migrated = 0; ///< particles that changed their rank
-      MeshAdaptation mesh;
-    };
 
     /**
      * Brings all particles to the ranks and slots of their blocks; adapts the mesh to where they

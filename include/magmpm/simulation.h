@@ -7,6 +7,7 @@
 #include <magmpm/io/results.h>
 #include <magmpm/magnets/external_field.h>
 #include <magmpm/particles/body.h>
+#include <magmpm/particles/box_faces.h>
 #include <magmpm/particles/particle_grid_transfer.h>
 #include <magmpm/particles/particle_sort.h>
 #include <magmpm/particles/particle_sums.h>
@@ -79,6 +80,10 @@ namespace magmpm
     void
     regroup_particles();
 
+    /** Draws the J of fluids towards that of the lattice, every few steps. */
+    void
+    relax_fluids();
+
     /** Solves the potential if the force that particles carry no longer serves, Eqs. (25-33). */
     void
     update_magnetics();
@@ -135,6 +140,7 @@ namespace magmpm
 
     ExternalField<dim> external_field;
     LatticeBoundary<dim> boundary;
+    const OpenFaces<dim> open;
     const TimeStepControl time_step_control;
     std::unique_ptr<DomainDecomposition<dim>> decomposition;
     std::unique_ptr<MagneticCoupling<dim>> magnetics; ///< null without magnetic material

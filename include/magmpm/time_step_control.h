@@ -48,21 +48,31 @@ namespace magmpm
    *   force:    dt <= force factor sqrt(dx/|a|)
    *   affine:   dt <= affine factor/|C|
    *
-   * The step before a frame is shortened to meet it ("frame end").
+   * A fixed step is checked against these limits, unless the user allows an unstable one. The step
+   * before a frame is shortened to meet it ("frame end").
    */
   class TimeStepControl
   {
   public:
     TimeStepControl(const TimeStepParameters &parameters, const double lattice_spacing);
 
-    /** @param time_to_frame  [s], positive. */
+    /**
+     * @param time        of the start of the step [s].
+     * @param next_frame  [s], later than that.
+     * @throw InputError  if the fixed step is beyond a limit at the start of a run.
+     * @throw RunError    if it is so in the course of it.
+     */
     TimeStep
-    next_step(const StepConditions &conditions, const double time_to_frame) const;
+    next_step(const StepConditions &conditions, const double time, const double next_frame) const;
 
   private:
     /** Without regard to frames. */
     TimeStep
     stable_step(const StepConditions &conditions) const;
+
+    /** The fixed step, unless it is refused. */
+    TimeStep
+    fixed_step(const StepConditions &conditions, const double time) const;
 
     const TimeStepParameters parameters;
     const double lattice_spacing;

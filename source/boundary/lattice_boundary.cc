@@ -37,6 +37,8 @@ namespace magmpm
             return ContactCondition::stick;
           case WallCondition::slip:
             return ContactCondition::slip;
+          case WallCondition::open:
+            return ContactCondition::none;
           case WallCondition::separate:
           default:
             return ContactCondition::separate;

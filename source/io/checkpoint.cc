@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <string_view>
 
 namespace magmpm
 {
@@ -50,6 +51,19 @@ namespace magmpm
         throw RunError("'" + path + "' cannot be brought to the disk");
     }
 
+    /** Writes a file, piece after piece, and waits until it is on the disk. */
+    void
+    write_pieces(const std::string &path, const std::vector<std::string_view> &pieces)
+    {
+      std::ofstream file(path, std::ios::binary);
+      for (const std::string_view piece : pieces)
+        file.write(piece.data(), piece.size());
+      file.close();
+      if (!file)
+        throw RunError("'" + path + "' cannot be written; is the disk full?");
+      bring_to_disk(path);
+    }
+
     void
     write_file(const std::string &path, const std::vector<char> &bytes)
     {
@@ -58,13 +72,9 @@ namespace magmpm
       head.checksum = checksum_of(bytes);
       head.size     = bytes.size();
 
-      std::ofstream file(path, std::ios::binary);
-      file.write(reinterpret_cast<const char *>(&head), sizeof(head));
-      file.write(bytes.data(), bytes.size());
-      file.close();
-      if (!file)
-        throw RunError("'" + path + "' cannot be written; is the disk full?");
-      bring_to_disk(path);
+      write_pieces(path,
+                   {{reinterpret_cast<const char *>(&head), sizeof(head)},
+                    {bytes.data(), bytes.size()}});
     }
 
     std::vector<char>
@@ -181,8 +191,7 @@ namespace magmpm
       if (rank > 0)
         return;
       const std::string unfinished = folder + "/latest.unfinished";
-      std::ofstream(unfinished) << name << '\n';
-      bring_to_disk(unfinished);
+      write_pieces(unfinished, {name, "\n"});
       fs::rename(unfinished, folder + "/latest");
       bring_to_disk(folder);
       remove_old_ones();

@@ -289,10 +289,17 @@ namespace magmpm
                            walls.condition[face],
                            {{"stick", WallCondition::stick},
                             {"slip", WallCondition::slip},
-                            {"separate", WallCondition::separate}},
-                           "What material does at this face of the box.");
+                            {"separate", WallCondition::separate},
+                            {"open", WallCondition::open}},
+                           "What material does at this face of the box; open: it passes.");
         else
           declarations.refuse(face_names[face], "this face needs Dimension = 3.");
+      declarations.add(
+        "Particles leaving the box",
+        walls.removes_leaving_particles,
+        {{"error", false}, {"remove", true}},
+        "What becomes of particles that pass an open face: they end the run, or they "
+        "are removed and counted.");
     }
 
     template <int dim>
@@ -423,20 +430,19 @@ namespace magmpm
     declare_time_step(ParameterRegister &declarations, TimeStepParameters &time_step)
     {
       const auto section = declarations.enter("Time step");
-      declarations.add("Kind",
-                       time_step.adaptive,
-                       {{"adaptive", true}, {"fixed", false}},
-                       "Adaptive: the smallest of the limits below.");
-      declarations.add("Fixed step",
-                       time_step.fixed_step,
-                       "s",
-                       "With Kind = fixed: dt of all steps.",
-                       positive,
-                       Presence::optional);
+      declarations.add_or_auto("Time step",
+                               time_step.fixed_step,
+                               "s",
+                               "dt of all steps; auto: each as long as the limits below allow.",
+                               positive);
+      declarations.add("Allow unstable time step",
+                       time_step.allow_unstable,
+                       "Whether a given dt may be longer than the limits below: such a run may go "
+                       "astray. Otherwise it ends where a limit falls below dt.");
       declarations.add("Maximum",
                        time_step.maximum,
                        "s",
-                       "With Kind = adaptive: dt is never longer; not given: no such limit.",
+                       "With Time step = auto: dt is never longer; not given: no such limit.",
                        positive,
                        Presence::optional);
       declarations.add("Elastic factor",

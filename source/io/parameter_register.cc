@@ -52,25 +52,30 @@ namespace magmpm
              ")";
     }
 
-    /** Numbers in a range, separated by commas; ParameterHandler has no excluded limits. */
+    /**
+     * Numbers in a range, separated by commas; ParameterHandler has no excluded limits. In their
+     * place may stand nothing, or a word.
+     */
     class NumberPattern : public dealii::Patterns::PatternBase
     {
     public:
       NumberPattern(const NumberRange &range,
                     const int n,
                     const bool integer,
-                    const bool may_be_empty)
+                    const bool may_be_empty,
+                    const std::string &word = "")
         : range(range)
         , n(n)
         , integer(integer)
         , may_be_empty(may_be_empty)
+        , word(word)
       {
       }
 
       bool
       match(const std::string &text) const override
       {
-        if (may_be_empty && text.empty())
+        if (text.empty() ? may_be_empty : text == word)
           return true;
         const std::vector<std::string> parts = split_at_commas(text);
         double number;
@@ -87,7 +92,9 @@ namespace magmpm
         if (n > 1)
           return std::to_string(n) + " numbers, separated by commas";
         const std::string limits = range.description();
-        return (integer ? "an integer" : "a number") + (limits.empty() ? "" : " " + limits);
+        return (word.empty() ? "" : word + ", or ") +
+               std::string(integer ? "an integer" : "a number") +
+               (limits.empty() ? "" : " " + limits);
       }
 
       std::unique_ptr<PatternBase>
@@ -101,6 +108,7 @@ namespace magmpm
       const int n;
       const bool integer;
       const bool may_be_empty;
+      const std::string word;
     };
   } // namespace
 
@@ -176,6 +184,25 @@ namespace magmpm
               read_number(value, number);
               variable = static_cast<int>(number);
             });
+  }
+
+  void
+  ParameterRegister::add_or_auto(const std::string &name,
+                                 double &variable,
+                                 const std::string &unit,
+                                 const std::string &text,
+                                 const NumberRange &range)
+  {
+    const std::string word = "auto";
+    const NumberPattern pattern(range, 1, false, false, word);
+    declare(
+      {current_section, name, word, pattern.description(), unit, text, Presence::has_default},
+      pattern,
+      [&variable, word](const std::string &value) {
+        variable = 0.;
+        if (value != word)
+          read_number(value, variable);
+      });
   }
 
   void

@@ -30,16 +30,6 @@ namespace magmpm
       return text.str();
     }
 
-    template <int dim>
-    std::string
-    to_text(const Vector<dim> &vector)
-    {
-      std::string text;
-      for (int d = 0; d < dim; ++d)
-        text += (d == 0 ? "" : ", ") + to_text(vector[d]);
-      return text;
-    }
-
     /** The parameters of @p names in @p section that were given. */
     std::vector<std::string>
     given_of(const ParameterRegister &declarations,
@@ -362,11 +352,12 @@ namespace magmpm
         {
           const double gap = distance(body, centre) - source.radius;
           if (gap < -1e-9 * source.radius)
-            throw declarations.error(
-              section + "/Position",
-              "this solid magnet (radius " + to_text(source.radius) + " m, at " + to_text(centre) +
-                " m) overlaps the body '" + body.name + "' by " + to_text(-gap) +
-                " m at the start. Move one of them, or set " + section + "/Contact = none.");
+            throw declarations.error(section + "/Position",
+                                     "this solid magnet (radius " + to_text(source.radius) +
+                                       " m, at " + components(centre) + " m) overlaps the body '" +
+                                       body.name + "' by " + to_text(-gap) +
+                                       " m at the start. Move one of them, or set " + section +
+                                       "/Contact = none.");
         }
     }
 
@@ -405,14 +396,12 @@ namespace magmpm
     check_times(const ParameterRegister &declarations, const Parameters<dim> &parameters)
     {
       const TimeStepParameters &step = parameters.time_step;
-      if (!step.adaptive)
-        {
-          check_given(declarations, "Time step", {"Fixed step"}, {}, "Time step/Kind = fixed");
-          if (step.fixed_step > parameters.output.frame_interval)
-            throw declarations.error("Time step/Fixed step",
-                                     "it must not be longer than Output/Frame interval (" +
-                                       to_text(parameters.output.frame_interval) + " s).");
-        }
+      if (step.fixed_step > 0.)
+        check_given(declarations, "Time step", {}, {"Maximum"}, "a given Time step/Time step");
+      if (step.fixed_step > parameters.output.frame_interval)
+        throw declarations.error("Time step/Time step",
+                                 "it must not be longer than Output/Frame interval (" +
+                                   to_text(parameters.output.frame_interval) + " s).");
     }
 
     template <int dim>

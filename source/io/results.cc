@@ -236,6 +236,7 @@ namespace magmpm
     statistics.set("limit of dt", state.limit);
     statistics.set("particles", total.n_particles);
     statistics.set("lost particles", state.lost_particles);
+    statistics.set("held particles", state.held_particles);
     statistics.set("migrated particles", state.migrated_particles);
     statistics.set("fewest particles of a rank", fewest_particles);
     statistics.set("load imbalance", state.imbalance);
@@ -251,6 +252,7 @@ namespace magmpm
     statistics.set("max |v|", total.max_speed);
     statistics.set("min J", std::min(total.min_volume_ratio, total.max_volume_ratio));
     statistics.set("max J", total.max_volume_ratio);
+    statistics.set("density error", state.density_error);
     statistics.set("max |H|", total.max_field);
     statistics.set("max |M|", total.max_magnetization);
     for (std::size_t b = 0; b < sums.size(); ++b)

@@ -51,6 +51,7 @@ namespace magmpm
                                              {"limit of dt", ""},
                                              {"particles", ""},
                                              {"lost particles", ""},
+                                             {"held particles", ""},
                                              {"migrated particles", ""},
                                              {"fewest particles of a rank", ""},
                                              {"load imbalance", "-"},
@@ -62,9 +63,13 @@ namespace magmpm
     add_vector(columns, "momentum", dim, Unit::momentum);
     add_vector(columns, "angular momentum", n_axial_components<dim>, Unit::angular_momentum);
     add_vector(columns, "centre of mass", dim, "m");
-    columns.insert(
-      columns.end(),
-      {{"max |v|", "m/s"}, {"min J", "-"}, {"max J", "-"}, {"max |H|", "A/m"}, {"max |M|", "A/m"}});
+    columns.insert(columns.end(),
+                   {{"max |v|", "m/s"},
+                    {"min J", "-"},
+                    {"max J", "-"},
+                    {"density error", "-"},
+                    {"max |H|", "A/m"},
+                    {"max |M|", "A/m"}});
 
     for (const std::string &body : bodies)
       {

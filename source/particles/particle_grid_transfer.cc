@@ -1,264 +1,276 @@
 // Kernels: raw pointers and ranges only, nothing of MPI or deal.II (design: the unit of work is a
 // block, so that the same bodies can become blocks of a GPU).
 
-#include <magmpm/lattice/arena.h>
-#include <magmpm/lattice/bspline.h>
-#include <magmpm/lattice/lanes.h>
+#include <magmpm/base/simd_functions.h>
 #include <magmpm/particles/particle_grid_transfer.h>
 #include <magmpm/particles/particle_state.h>
+#include <magmpm/particles/transfer_batch.h>
 
+#include <algorithm>
 #include <limits>
 
 namespace magmpm
 {
   namespace
   {
-    /** The 3^dim nodes around one particle. */
-    template <int dim>
-    struct Stencil
-    {
-      int first = 0;                      ///< place of the first node in the arena [doubles]
-      double weights[dim][stencil_width]; ///< of the nodes in each direction
-      double distance[dim]; ///< from the particle to the first node, per direction [m]
-    };
-
-    /** Places particles on the lattice of one arena. */
-    template <int dim>
-    class StencilOfBlock
-    {
-    public:
-      StencilOfBlock(const Lattice<dim> &lattice, const Index<dim> &block)
-        : origin(lattice.node_position(Arena<dim>::first_node(block)))
-        , spacing(lattice.spacing)
-        , inverse_spacing(1. / lattice.spacing)
-      {
-      }
-
-      Stencil<dim>
-      at(const ParticleArrays<dim> &particles, const std::size_t p) const
-      {
-        Stencil<dim> stencil;
-        for (int d = 0; d < dim; ++d)
-          {
-            const double x      = (particles.position[d][p] - origin[d]) * inverse_spacing;
-            const int node      = static_cast<int>(x - 0.5);
-            const double offset = x - node;
-            quadratic_bspline(offset, stencil.weights[d]);
-            stencil.first += node * Arena<dim>::stride(d);
-            stencil.distance[d] = -offset * spacing;
-          }
-        return stencil;
-      }
-
-    private:
-      Vector<dim> origin;
-      double spacing;
-      double inverse_spacing;
-    };
-
-    /** Calls f(place in the arena, weight, {i, j, k}) for the nodes around a particle. */
-    template <int dim, typename Function>
-    inline void
-    for_each_node(const Stencil<dim> &stencil, const Function &f)
-    {
-      for (int k = 0; k < (dim == 3 ? stencil_width : 1); ++k)
-        for (int j = 0; j < stencil_width; ++j)
-          {
-            int place     = stencil.first + j * Arena<dim>::stride(1);
-            double weight = stencil.weights[1][j];
-            if constexpr (dim == 3)
-              {
-                place += k * Arena<dim>::stride(2);
-                weight *= stencil.weights[2][k];
-              }
-            for (int i = 0; i < stencil_width; ++i)
-              f(place + i * n_lanes, weight * stencil.weights[0][i], i, j, k);
-          }
-    }
-
-    /** Adds a value that varies linearly, value + sum_d slope[d] (x_i - x_p)_d, to the nodes. */
-    template <int dim>
-    inline void
-    scatter_linear(const Stencil<dim> &stencil,
-                   const double spacing,
-                   const Lanes &value,
-                   const Lanes (&slope)[dim],
-                   double *arena)
-    {
-      Lanes start = value;
-      Lanes step[dim];
-      for (int d = 0; d < dim; ++d)
-        {
-          start += stencil.distance[d] * slope[d];
-          step[d] = spacing * slope[d];
-        }
-      for_each_node<dim>(
-        stencil, [&](const int place, const double weight, const int i, const int j, const int k) {
-          Lanes here = start + double(i) * step[0] + double(j) * step[1];
-          if constexpr (dim == 3)
-            here += double(k) * step[2];
-          store_lanes(load_lanes(arena + place) + weight * here, arena + place);
-        });
-    }
-
-    /** Interpolates: returns sum_i N_i q_i, and sum_i N_i q_i (x_i - x_p)_d in @p moment[d]. */
-    template <int dim>
-    inline Lanes
-    gather_linear(const Stencil<dim> &stencil,
-                  const double spacing,
-                  const double *arena,
-                  Lanes (&moment)[dim])
-    {
-      Lanes sum = {};
-      for (int d = 0; d < dim; ++d)
-        moment[d] = Lanes{};
-      for_each_node<dim>(
-        stencil, [&](const int place, const double weight, const int i, const int j, const int k) {
-          const Lanes q = weight * load_lanes(arena + place);
-          sum += q;
-          moment[0] += double(i) * q;
-          moment[1] += double(j) * q;
-          if constexpr (dim == 3)
-            moment[2] += double(k) * q;
-        });
-      for (int d = 0; d < dim; ++d)
-        moment[d] = spacing * moment[d] + stencil.distance[d] * sum;
-      return sum;
-    }
-
     /** One run of particles: the kernels below work on it. */
     template <int dim>
     struct Run
     {
       ParticleArrays<dim> particles;
       std::size_t begin, end;
-      StencilOfBlock<dim> stencils;
+      StencilsOfBlock<dim> stencils;
       double spacing;
     };
 
-    template <int dim, typename Law>
-    void
-    scatter_momentum(const Run<dim> &run, const Law &law, const double time_step, double *arena)
+    /** Calls f(first particle, n) for the batches of a run. */
+    template <int dim, typename Function>
+    inline void
+    for_each_batch(const Run<dim> &run, const Function &f)
     {
-      const ParticleArrays<dim> &particles = run.particles;
-      const double stress_factor           = -time_step * 4. / (run.spacing * run.spacing);
-      const bool is_magnetic               = particles.magnetic_acceleration[0] != nullptr;
-      for (std::size_t p = run.begin; p < run.end; ++p)
-        {
-          const Matrix<dim> affine = load_matrix<dim>(particles.affine_velocity, p);
-          const Matrix<dim> stress = law.kirchhoff_stress(load_state<dim, Law>(particles, p),
-                                                          affine);
-          const double mass        = particles.mass[p];
-          const Matrix<dim> slope  = mass * affine + (stress_factor * particles.volume[p]) * stress;
-
-          Lanes value = {};
-          value[3]    = mass;
-          Lanes slopes[dim];
-          for (int d = 0; d < dim; ++d)
-            {
-              double velocity = particles.velocity[d][p];
-              if (is_magnetic)
-                velocity += time_step * particles.magnetic_acceleration[d][p];
-              value[d]  = mass * velocity;
-              slopes[d] = Lanes{};
-              for (int c = 0; c < dim; ++c)
-                slopes[d][c] = slope(c, d);
-            }
-          scatter_linear<dim>(run.stencils.at(particles, p), run.spacing, value, slopes, arena);
-        }
+      for (std::size_t first = run.begin; first < run.end; first += batch_size)
+        f(first, static_cast<int>(std::min<std::size_t>(batch_size, run.end - first)));
     }
 
-    template <int dim, typename Law>
-    void
-    advance_particles(const Run<dim> &run,
-                      const Law &law,
-                      const double time_step,
-                      const double *arena,
-                      ParticleExtremes &extremes)
+    /** Calls f(place of the particles, number in the batch) for @p n particles from @p first on. */
+    template <typename Function>
+    inline void
+    for_each_lanes(const std::size_t first, const int n, const Function &f)
     {
-      const ParticleArrays<dim> &particles = run.particles;
-      const double affine_factor           = 4. / (run.spacing * run.spacing);
-      const auto raise                     = [](double &largest, const double value) {
-        largest = (value <= largest
-                                         ? largest
-                                         : (value > largest ? value : std::numeric_limits<double>::infinity()));
-      };
-      for (std::size_t p = run.begin; p < run.end; ++p)
-        {
-          Lanes moment[dim];
-          const Lanes velocity =
-            gather_linear<dim>(run.stencils.at(particles, p), run.spacing, arena, moment);
-          Matrix<dim> affine;
-          Vector<dim> v;
-          for (int c = 0; c < dim; ++c)
-            {
-              v[c] = velocity[c];
-              particles.position[c][p] += time_step * velocity[c];
-              for (int d = 0; d < dim; ++d)
-                affine(c, d) = affine_factor * moment[d][c];
-            }
-          const typename Law::State state =
-            law.advanced(load_state<dim, Law>(particles, p), affine, time_step);
-          store_vector<dim>(v, particles.velocity, p);
-          store_matrix<dim>(affine, particles.affine_velocity, p);
-          store_state<dim, Law>(state, particles, p);
-
-          const double speed        = norm(v);
-          const double volume_ratio = law.volume_ratio(state);
-          raise(extremes.speed, speed);
-          raise(extremes.signal_speed, speed + law.wave_speed(state));
-          raise(extremes.affine_velocity, frobenius_norm(affine));
-          raise(extremes.max_volume_ratio, volume_ratio);
-          raise(extremes.max_inverse_volume_ratio,
-                volume_ratio > 0. ? 1. / volume_ratio : std::numeric_limits<double>::infinity());
-        }
+      constexpr int width = SimdDouble::n_lanes;
+      int p               = 0;
+      for (; p + width <= n; p += width)
+        f(FullLanes{first + p}, p);
+      if (p < n)
+        f(PartialLanes{first + p, n - p}, p);
     }
 
-    /** Adds the same lanes to all nodes of a stencil, weighted. */
     template <int dim>
-    void
-    scatter(const Stencil<dim> &stencil, const Lanes &value, double *arena)
+    inline void
+    place_stencils(const Run<dim> &run,
+                   const std::size_t first,
+                   const int n,
+                   StencilBatch<dim> &stencils)
     {
-      for_each_node<dim>(stencil, [&](const int place, const double weight, int, int, int) {
-        store_lanes(load_lanes(arena + place) + weight * value, arena + place);
+      for_each_lanes(first, n, [&](const auto place, const int p) {
+        run.stencils.place(load_vector<dim>(run.particles.position, place), p, stencils);
       });
     }
 
-    template <int dim, typename Law>
-    void
-    scatter_content(const Run<dim> &run,
-                    const Law &law,
-                    const MagneticParameters &magnetic,
-                    double *arena)
+    template <int n_components, int batch>
+    inline void
+    add_arrays(double *const (&components)[n_components],
+               const std::size_t first,
+               Prefetch<batch> &prefetch)
     {
-      const double per_cell = 1. / std::pow(run.spacing, dim);
-      const Lanes content   = {0.,
-                               magnetic.saturation_magnetization,
-                               magnetic.initial_susceptibility,
-                               magnetic.number_density};
-      for (std::size_t p = run.begin; p < run.end; ++p)
+      for (const double *component : components)
+        if (component != nullptr)
+          prefetch.add(component + first);
+    }
+
+    /** Mass and momentum of particles, with their slopes times dx, as P2G gives them to the nodes. */
+    template <int dim, typename Law, typename Place>
+    inline void
+    momentum_of_particles(const ParticleArrays<dim> &particles,
+                          const Law &law,
+                          const double time_step,
+                          const double spacing,
+                          const Place place,
+                          double *numbers)
+    {
+      const Matrix<dim, SimdDouble> affine = load_matrix<dim>(particles.affine_velocity, place);
+      const Matrix<dim, SimdDouble> stress =
+        law.kirchhoff_stress(load_state<dim, Law>(particles, place), affine);
+      const SimdDouble mass          = load(particles.mass, place);
+      const SimdDouble affine_factor = spacing * mass;
+      const SimdDouble stress_factor = (-time_step * 4. / spacing) * load(particles.volume, place);
+      Vector<dim, SimdDouble> velocity = load_vector<dim>(particles.velocity, place);
+      if (particles.magnetic_acceleration[0] != nullptr)
+        velocity += time_step * load_vector<dim>(particles.magnetic_acceleration, place);
+
+      SimdDouble value[n_lanes] = {};
+      for (int d = 0; d < dim; ++d)
+        value[d] = mass * velocity[d];
+      value[3] = mass;
+      store_transposed(value, numbers, LinearBatch<dim>::stride);
+      for (int d = 0; d < dim; ++d)
         {
-          Lanes value = content;
-          value[0]    = law.volume_ratio(load_state<dim, Law>(run.particles, p));
-          value *= per_cell * run.particles.volume[p];
-          scatter(run.stencils.at(run.particles, p), value, arena);
+          SimdDouble slope[n_lanes] = {};
+          for (int c = 0; c < dim; ++c)
+            slope[c] = affine_factor * affine(c, d) + stress_factor * stress(c, d);
+          store_transposed(slope, numbers + (1 + d) * n_lanes, LinearBatch<dim>::stride);
         }
     }
 
-    template <int dim>
-    void
-    gather_vector(const Run<dim> &run, const double *arena, double *const *components)
+    template <int dim, typename Law>
+    [[gnu::flatten]] void
+    scatter_momentum(const Run<dim> &run, const Law &law, const double time_step, double *arena)
     {
-      for (std::size_t p = run.begin; p < run.end; ++p)
+      StencilBatch<dim> stencils;
+      LinearBatch<dim> batch;
+      const auto &particles = run.particles;
+      for_each_batch(run, [&](const std::size_t first, const int n) {
+        place_stencils(run, first, n, stencils);
+        for_each_lanes(first, n, [&](const auto place, const int p) {
+          momentum_of_particles(
+            particles, law, time_step, run.spacing, place, &batch.numbers[p][0][0]);
+        });
+        Prefetch<batch_size> next;
+        add_arrays(particles.position, first + batch_size, next);
+        add_arrays(particles.velocity, first + batch_size, next);
+        add_arrays(particles.affine_velocity, first + batch_size, next);
+        add_arrays(particles.deformation, first + batch_size, next);
+        add_arrays(particles.magnetic_acceleration, first + batch_size, next);
+        next.add(particles.mass + first + batch_size);
+        next.add(particles.volume + first + batch_size);
+        next.finish();
+        scatter_batch(stencils, n, arena, [&](const int p, auto &rows) {
+          next.template ask<false>(p);
+          add_linear(stencils, batch, p, rows);
+        });
+      });
+    }
+
+    /** ParticleExtremes lane by lane. */
+    struct LaneExtremes
+    {
+      SimdDouble speed = 0., signal_speed = 0., affine_velocity = 0., max_volume_ratio = 0.,
+                 max_inverse_volume_ratio = 0.;
+
+      /** A value that is not a number counts as infinite. */
+      static void
+      raise(SimdDouble &largest, const SimdDouble &value)
+      {
+        constexpr double infinity = std::numeric_limits<double>::infinity();
+        largest                   = SimdDouble::select(
+          value <= largest, largest, SimdDouble::select(value > largest, value, infinity));
+      }
+
+      void
+      add_to(ParticleExtremes &extremes) const
+      {
+        for (int lane = 0; lane < SimdDouble::n_lanes; ++lane)
+          {
+            extremes.speed            = std::max(extremes.speed, speed[lane]);
+            extremes.signal_speed     = std::max(extremes.signal_speed, signal_speed[lane]);
+            extremes.affine_velocity  = std::max(extremes.affine_velocity, affine_velocity[lane]);
+            extremes.max_volume_ratio = std::max(extremes.max_volume_ratio, max_volume_ratio[lane]);
+            extremes.max_inverse_volume_ratio = std::max(extremes.max_inverse_volume_ratio,
+                                                         max_inverse_volume_ratio[lane]);
+          }
+      }
+    };
+
+    /** Moves and deforms particles over a step, from what G2P found on their nodes. */
+    template <int dim, typename Law, typename Place>
+    inline void
+    advance_particles(const ParticleArrays<dim> &particles,
+                      const Law &law,
+                      const double time_step,
+                      const double spacing,
+                      const Place place,
+                      const double *numbers,
+                      LaneExtremes &extremes)
+    {
+      Vector<dim, SimdDouble> velocity;
+      Matrix<dim, SimdDouble> affine;
+      SimdDouble lanes[n_lanes];
+      load_transposed(numbers, LinearBatch<dim>::stride, lanes);
+      for (int c = 0; c < dim; ++c)
+        velocity[c] = lanes[c];
+#pragma GCC unroll 3
+      for (int d = 0; d < dim; ++d)
         {
-          Lanes sum = {};
-          for_each_node<dim>(run.stencils.at(run.particles, p),
-                             [&](const int place, const double weight, int, int, int) {
-                               sum += weight * load_lanes(arena + place);
-                             });
-          for (int d = 0; d < dim; ++d)
-            components[d][p] = sum[d];
+          load_transposed(numbers + (1 + d) * n_lanes, LinearBatch<dim>::stride, lanes);
+          for (int c = 0; c < dim; ++c)
+            affine(c, d) = (4. / spacing) * lanes[c];
         }
+      const typename Law::State state =
+        law.advanced(load_state<dim, Law>(particles, place), affine, time_step);
+      store_vector<dim>(load_vector<dim>(particles.position, place) + time_step * velocity,
+                        particles.position,
+                        place);
+      store_vector<dim>(velocity, particles.velocity, place);
+      store_matrix<dim>(affine, particles.affine_velocity, place);
+      store_state<dim, Law>(state, particles, place);
+
+      const SimdDouble speed        = norm(velocity);
+      const SimdDouble volume_ratio = law.volume_ratio(state);
+      extremes.raise(extremes.speed, speed);
+      extremes.raise(extremes.signal_speed, speed + law.wave_speed(state));
+      extremes.raise(extremes.affine_velocity, frobenius_norm(affine));
+      extremes.raise(extremes.max_volume_ratio, volume_ratio);
+      extremes.raise(extremes.max_inverse_volume_ratio,
+                     SimdDouble::select(volume_ratio > 0.,
+                                        1. / volume_ratio,
+                                        std::numeric_limits<double>::infinity()));
+    }
+
+    template <int dim, typename Law>
+    [[gnu::flatten]] void
+    gather_velocity(const Run<dim> &run,
+                    const Law &law,
+                    const double time_step,
+                    const double *arena,
+                    ParticleExtremes &extremes)
+    {
+      StencilBatch<dim> stencils;
+      LinearBatch<dim> batch;
+      LaneExtremes lane_extremes;
+      const auto &particles = run.particles;
+      for_each_batch(run, [&](const std::size_t first, const int n) {
+        place_stencils(run, first, n, stencils);
+        Prefetch<batch_size> soon;
+        add_arrays(particles.position, first + batch_size, soon);
+        add_arrays(particles.velocity, first, soon);
+        add_arrays(particles.affine_velocity, first, soon);
+        add_arrays(particles.deformation, first, soon);
+        soon.finish();
+        gather_batch(stencils, n, arena, [&](const int p, const auto &rows) {
+          soon.template ask<true>(p);
+          sum_linear(stencils, rows, p, batch);
+        });
+        for_each_lanes(first, n, [&](const auto place, const int p) {
+          advance_particles(
+            particles, law, time_step, run.spacing, place, &batch.numbers[p][0][0], lane_extremes);
+        });
+      });
+      lane_extremes.add_to(extremes);
+    }
+
+    /** Adds value(place) to the nodes around particles: a function of the lanes of a node. */
+    template <int dim, typename Value>
+    [[gnu::flatten]] void
+    scatter(const Run<dim> &run, const Value &value, double *arena)
+    {
+      StencilBatch<dim> stencils;
+      alignas(64) double numbers[batch_size][n_lanes];
+      for_each_batch(run, [&](const std::size_t first, const int n) {
+        place_stencils(run, first, n, stencils);
+        for_each_lanes(first, n, [&](const auto place, const int p) {
+          SimdDouble lanes[n_lanes] = {};
+          value(place, lanes);
+          store_transposed(lanes, numbers[p], n_lanes);
+        });
+        scatter_batch(stencils, n, arena, [&](const int p, auto &rows) {
+          add_constant(stencils, NodeLanes::load(numbers[p]), p, rows);
+        });
+      });
+    }
+
+    template <int dim>
+    [[gnu::flatten]] void
+    gather_vector(const Run<dim> &run, const double *arena, double *const (&components)[dim])
+    {
+      StencilBatch<dim> stencils;
+      for_each_batch(run, [&](const std::size_t first, const int n) {
+        place_stencils(run, first, n, stencils);
+        gather_batch(stencils, n, arena, [&](const int p, const auto &rows) {
+          const NodeLanes sum = sum_constant(stencils, rows, p);
+          for (int d = 0; d < dim; ++d)
+            components[d][first + p] = sum[d];
+        });
+      });
     }
 
     /** The run of @p body in the block of @p slot. */
@@ -272,7 +284,7 @@ namespace magmpm
       return {body.particles.arrays(),
               body.run_begin[slot],
               body.run_begin[slot + 1],
-              StencilOfBlock<dim>(lattice, blocks.block(slot)),
+              StencilsOfBlock<dim>(lattice, blocks.block(slot)),
               lattice.spacing};
     }
 
@@ -311,6 +323,34 @@ namespace magmpm
             finish(slot);
         }
     }
+
+    /** P2G of magnetic particles: value_of(body, law) makes the function of scatter(). */
+    template <int dim, typename ValueOf>
+    void
+    scatter_magnetic(std::vector<Body<dim>> &bodies,
+                     const BlockSet<dim> &blocks,
+                     const Lattice<dim> &lattice,
+                     NodeField<dim> &field,
+                     const ValueOf &value_of)
+    {
+      Arena<dim> arena;
+      field.set_zero();
+      for_each_run(
+        bodies,
+        blocks,
+        lattice,
+        true,
+        [&](const int) { arena.set_zero(); },
+        [&](const std::size_t b, const Run<dim> &run) {
+          std::visit(
+            [&](const auto &law) {
+              scatter(
+                run, value_of(bodies[b], law.template with_number<SimdDouble>()), arena.data());
+            },
+            bodies[b].material);
+        },
+        [&](const int slot) { arena.add_to(field, blocks, slot); });
+    }
   } // namespace
 
   template <int dim>
@@ -330,8 +370,11 @@ namespace magmpm
       false,
       [&](const int) { arena.set_zero(); },
       [&](const std::size_t b, const Run<dim> &run) {
-        std::visit([&](const auto &law) { scatter_momentum(run, law, time_step, arena.data()); },
-                   bodies[b].material);
+        std::visit(
+          [&](const auto &law) {
+            scatter_momentum(run, law.template with_number<SimdDouble>(), time_step, arena.data());
+          },
+          bodies[b].material);
       },
       [&](const int slot) { arena.add_to(field, blocks, slot); });
   }
@@ -355,7 +398,8 @@ namespace magmpm
       [&](const std::size_t b, const Run<dim> &run) {
         std::visit(
           [&](const auto &law) {
-            advance_particles(run, law, time_step, arena.data(), extremes[b]);
+            gather_velocity(
+              run, law.template with_number<SimdDouble>(), time_step, arena.data(), extremes[b]);
           },
           bodies[b].material);
       },
@@ -370,20 +414,19 @@ namespace magmpm
                               const Lattice<dim> &lattice,
                               NodeField<dim> &content)
   {
-    Arena<dim> arena;
-    content.set_zero();
-    for_each_run(
-      bodies,
-      blocks,
-      lattice,
-      true,
-      [&](const int) { arena.set_zero(); },
-      [&](const std::size_t b, const Run<dim> &run) {
-        std::visit(
-          [&](const auto &law) { scatter_content(run, law, bodies[b].magnetic, arena.data()); },
-          bodies[b].material);
-      },
-      [&](const int slot) { arena.add_to(content, blocks, slot); });
+    const double per_cell = 1. / std::pow(lattice.spacing, dim);
+    scatter_magnetic(
+      bodies, blocks, lattice, content, [per_cell](const Body<dim> &body, const auto &law) {
+        return [&body, law, per_cell, particles = body.particles.arrays()](const auto place,
+                                                                           auto &lanes) {
+          using Law               = std::decay_t<decltype(law)>;
+          const SimdDouble volume = per_cell * load(particles.volume, place);
+          lanes[0] = volume * law.volume_ratio(load_state<dim, Law>(particles, place));
+          lanes[1] = volume * body.magnetic.saturation_magnetization;
+          lanes[2] = volume * body.magnetic.initial_susceptibility;
+          lanes[3] = volume * body.magnetic.number_density;
+        };
+      });
   }
 
   template <int dim>
@@ -393,21 +436,11 @@ namespace magmpm
                            const Lattice<dim> &lattice,
                            NodeField<dim> &mass)
   {
-    Arena<dim> arena;
-    mass.set_zero();
-    for_each_run(
-      bodies,
-      blocks,
-      lattice,
-      true,
-      [&](const int) { arena.set_zero(); },
-      [&](const std::size_t, const Run<dim> &run) {
-        for (std::size_t p = run.begin; p < run.end; ++p)
-          scatter(run.stencils.at(run.particles, p),
-                  Lanes{0., 0., 0., run.particles.mass[p]},
-                  arena.data());
-      },
-      [&](const int slot) { arena.add_to(mass, blocks, slot); });
+    scatter_magnetic(bodies, blocks, lattice, mass, [](const Body<dim> &body, const auto &) {
+      return [particles = body.particles.arrays()](const auto place, auto &lanes) {
+        lanes[3] = load(particles.mass, place);
+      };
+    });
   }
 
   template <int dim>

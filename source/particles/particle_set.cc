@@ -22,6 +22,7 @@ namespace magmpm
         n += component_counts[q];
       }
     components.resize(n);
+    resize(0);
   }
 
   template <int dim>
@@ -29,8 +30,8 @@ namespace magmpm
   ParticleSet<dim>::resize(const std::size_t n_particles)
   {
     identities.resize(n_particles);
-    for (auto &component : components)
-      component.resize(n_particles);
+    for (std::size_t i = 0; i < components.size(); ++i)
+      components[i].resize(i * stagger + n_particles);
   }
 
   namespace
@@ -76,8 +77,8 @@ namespace magmpm
   {
     // Identities stay far below 2^53, so that a double holds them exactly.
     records.push_back(static_cast<double>(identities[p]));
-    for (const auto &component : components)
-      records.push_back(component[p]);
+    for (std::size_t i = 0; i < components.size(); ++i)
+      records.push_back(column(i)[p]);
   }
 
   template <int dim>
@@ -96,13 +97,12 @@ namespace magmpm
   void
   ParticleSet<dim>::reorder(const std::vector<std::uint32_t> &order)
   {
-    reordered.resize(order.size());
-    for (auto &component : components)
+    for (std::size_t i = 0; i < components.size(); ++i)
       {
-        for (std::size_t i = 0; i < order.size(); ++i)
-          reordered[i] = component[order[i]];
-        component.swap(reordered);
-        reordered.resize(order.size());
+        reordered.resize(i * stagger + order.size());
+        for (std::size_t p = 0; p < order.size(); ++p)
+          reordered[i * stagger + p] = column(i)[order[p]];
+        components[i].swap(reordered);
       }
     std::vector<std::uint64_t> ids(order.size());
     for (std::size_t i = 0; i < order.size(); ++i)

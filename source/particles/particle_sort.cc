@@ -125,34 +125,12 @@ namespace magmpm
     body.particles.reorder(order);
   }
 
-  template <int dim>
-  std::size_t
-  remove_lost_particles(const Lattice<dim> &lattice, Body<dim> &body)
-  {
-    const std::size_t n_particles = body.particles.size();
-    std::vector<std::uint32_t> kept;
-    kept.reserve(n_particles);
-    for (std::size_t p = 0; p < n_particles; ++p)
-      {
-        const Vector<dim> x = lattice.reduced(body.particles.position(p));
-        bool inside         = true;
-        for (int d = 0; d < dim; ++d)
-          inside = inside && x[d] >= -1. && x[d] <= lattice.n_cells[d] + 1.;
-        if (inside)
-          kept.push_back(static_cast<std::uint32_t>(p));
-      }
-    if (kept.size() < n_particles)
-      body.particles.reorder(kept);
-    return n_particles - kept.size();
-  }
-
-#define INSTANTIATE(dim)                                                                    \
-  template std::vector<Index<dim>> approached_blocks<dim>(                                  \
-    const std::vector<Body<dim>> &, const Lattice<dim> &, const double, const bool);        \
-  template OccupiedBlocks<dim> occupied_blocks(                                             \
-    const std::vector<Body<dim>> &, const Lattice<dim> &, const bool);                      \
-  template void sort_into_blocks(const BlockSet<dim> &, const Lattice<dim> &, Body<dim> &); \
-  template std::size_t remove_lost_particles(const Lattice<dim> &, Body<dim> &);
+#define INSTANTIATE(dim)                                                             \
+  template std::vector<Index<dim>> approached_blocks<dim>(                           \
+    const std::vector<Body<dim>> &, const Lattice<dim> &, const double, const bool); \
+  template OccupiedBlocks<dim> occupied_blocks(                                      \
+    const std::vector<Body<dim>> &, const Lattice<dim> &, const bool);               \
+  template void sort_into_blocks(const BlockSet<dim> &, const Lattice<dim> &, Body<dim> &);
 
   INSTANTIATE(2)
   INSTANTIATE(3)

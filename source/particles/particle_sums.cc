@@ -83,11 +83,12 @@ namespace magmpm
       sums.momentum += mass * velocity;
       sums.mass_times_position += mass * position;
       sums.angular_momentum += mass * cross(position, velocity);
-      sums.angular_momentum += (mass * affine_factor) *
-                               curl(load_matrix<dim>(particles.affine_velocity, p));
-      sums.max_speed        = std::max(sums.max_speed, std::sqrt(square));
-      sums.min_volume_ratio = std::min(sums.min_volume_ratio, volume_ratio);
-      sums.max_volume_ratio = std::max(sums.max_volume_ratio, volume_ratio);
+      const Matrix<dim> affine = load_matrix<dim>(particles.affine_velocity, p);
+      sums.angular_momentum += (mass * affine_factor) * curl(affine);
+      sums.max_speed           = std::max(sums.max_speed, std::sqrt(square));
+      sums.max_affine_velocity = std::max(sums.max_affine_velocity, frobenius_norm(affine));
+      sums.min_volume_ratio    = std::min(sums.min_volume_ratio, volume_ratio);
+      sums.max_volume_ratio    = std::max(sums.max_volume_ratio, volume_ratio);
     }
   } // namespace
 
@@ -106,6 +107,7 @@ namespace magmpm
     magnetic_force += other.magnetic_force;
     magnetic_moment += other.magnetic_moment;
     max_speed                 = std::max(max_speed, other.max_speed);
+    max_affine_velocity       = std::max(max_affine_velocity, other.max_affine_velocity);
     min_volume_ratio          = std::min(min_volume_ratio, other.min_volume_ratio);
     max_volume_ratio          = std::max(max_volume_ratio, other.max_volume_ratio);
     max_field                 = std::max(max_field, other.max_field);

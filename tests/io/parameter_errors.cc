@@ -333,10 +333,14 @@ TEST_CASE("Messages on magnets", "[io]")
 
 TEST_CASE("Messages on the time step", "[io]")
 {
-  CHECK(message_with("Time step/Kind=fixed") ==
-        "cube.prm: Time step/Fixed step is not given: Time step/Kind = fixed needs it.");
-  CHECK(message_with("Time step/Fixed step=1", {"Time step/Kind=fixed"}) ==
-        "Time step/Fixed step = 1: it must not be longer than Output/Frame interval (0.002 s).");
+  CHECK(message_with("Time step/Time step=1") ==
+        "Time step/Time step = 1: it must not be longer than Output/Frame interval (0.002 s).");
+  CHECK(message_with("Time step/Time step=0") ==
+        "Time step/Time step = 0: must be auto, or a number > 0 [s]. (dt of all steps; auto: each "
+        "as long as the limits below allow.)");
+  CHECK(message_with("Time step/Maximum=1e-3", {"Time step/Time step=1e-4"}) ==
+        "Time step/Maximum = 1e-3: a given Time step/Time step does not use it; remove this line "
+        "or change that.");
 }
 
 TEST_CASE("Messages on what two dimensions do not have", "[io]")

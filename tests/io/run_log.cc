@@ -71,6 +71,11 @@ TEST_CASE("numbers are written as people read them", "[io]")
   CHECK(duration(59.6) == "1 min 0 s");
   CHECK(duration(90.3) == "1 min 30 s");
   CHECK(duration(3600. * 2 + 60. * 5) == "2 h 5 min");
+  CHECK(seconds_from("90 s").value_or(0.) == 90.);
+  CHECK(seconds_from("10 min").value_or(0.) == 600.);
+  CHECK(seconds_from("1.5 h").value_or(0.) == 5400.);
+  for (const char *text : {"", "never", "10", "min", "10 frames", "-3 s", "0 h", "3 s 4", "nan s"})
+    CHECK(!seconds_from(text));
 }
 
 TEST_CASE("terminal and log.txt hold the same header, from rank 0 alone", "[io][mpi]")

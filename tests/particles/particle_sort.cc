@@ -119,27 +119,3 @@ TEST_CASE("sorting again changes nothing, and a body without particles has empty
   sort_into_blocks(blocks, lattice, nothing);
   CHECK(nothing.run_begin == std::vector<std::size_t>(blocks.n_owned() + 1, 0));
 }
-
-TEST_CASE("particles more than a cell outside of the box are removed", "[particles]")
-{
-  // Six particles: 1.5 and 0.5 cells beyond two opposite walls, nowhere (not a number), and in the
-  // middle. Those within one cell of a wall stay, since the lattice reaches that far.
-  const Lattice<2> lattice = test_lattice<2>();
-  Body<2> body             = empty_body<2>(MechanicalLaw::neo_hookean, false);
-  Random random(3);
-  add_random_particles(lattice, 4., 8., 6, random, body);
-  const double dx   = lattice.spacing;
-  double *x         = body.particles.component(ParticleProperty::position, 0);
-  double *y         = body.particles.component(ParticleProperty::position, 1);
-  x[0]              = lattice.lower_corner[0] - 1.5 * dx;
-  x[1]              = lattice.lower_corner[0] - 0.5 * dx;
-  y[2]              = lattice.upper_corner()[1] + 1.5 * dx;
-  y[3]              = lattice.upper_corner()[1] + 0.5 * dx;
-  y[4]              = std::numeric_limits<double>::quiet_NaN();
-  const auto before = records(body.particles);
-  CHECK(remove_lost_particles(lattice, body) == 3);
-  CHECK(body.particles.ids() == std::vector<std::uint64_t>{1, 3, 5});
-  for (const auto &particle : records(body.particles))
-    CHECK(particle.second == before.at(particle.first));
-  CHECK(remove_lost_particles(lattice, body) == 0);
-}

@@ -298,8 +298,7 @@ TEST_CASE("A body floats in a uniform field", "[program]")
                       "    set Field = " + vector_text(dim, "0", "1e5", "; "),
                       "0.1",
                       "0.1"),
-        "--set Output/Particles=false --set \"Time step/Kind=fixed\" "
-        "--set \"Time step/Fixed step=1e-4\"");
+        "--set Output/Particles=false --set \"Time step/Time step=1e-4\"");
       REQUIRE(statistics.n_rows() == 1001);
       double momentum = 0.;
       for (const std::string &axis :

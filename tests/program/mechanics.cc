@@ -21,7 +21,7 @@ namespace
   std::string
   fixed_step(const std::string &step)
   {
-    return "--set \"Time step/Kind=fixed\" --set \"Time step/Fixed step=" + step + "\" ";
+    return "--set \"Time step/Time step=" + step + "\" ";
   }
 } // namespace
 
@@ -121,6 +121,7 @@ TEST_CASE("A run that goes astray says so and keeps its results", "[program]")
   // notice in the step in which a particle passes a limit, and end with exit code 1.
   const Outcome run =
     run_magmpm(falling_block + fixed_step("4e-3") +
+               "--set \"Time step/Allow unstable time step=true\" "
                "--set \"Output/Frame interval=0.02\" --set \"Output directory=astray\"");
   CHECK(run.exit_code == 1);
   CHECK(run.errors.find("of body 'block' ran away at t = ") != std::string::npos);

@@ -120,7 +120,7 @@ TEST_CASE("all ranks name the particle that ran away, when and how", "[top][mpi]
   CHECK(
     contains(fast, id_on_last_rank(2) + " at t = 0.625 s (step 8, dt = 0.125 s, limit: elastic)"));
   CHECK(contains(fast, "J = 1 (allowed: 0.05 to 20), speed 41 m/s (allowed: up to 40 m/s)"));
-  CHECK(contains(fast, "position (0.25, 0.5) m"));
+  CHECK(contains(fast, "velocity (-41, 0) m/s, position (0.25, 0.5) m"));
 
   CHECK(contains(message({changed(ParticleProperty::deformation, 0, 0.049)}),
                  id_on_last_rank(0) + " at t = 0.625 s"));

@@ -9,19 +9,21 @@
  */
 namespace magmpm
 {
-  /** A vector of R^dim. */
-  template <int dim>
+  /** A vector of R^dim. @tparam Number  double, or Simd: a vector of each of several particles. */
+  template <int dim, typename Number = double>
   struct Vector
   {
-    double values[dim] = {};
+    using value_type = Number;
 
-    double &
+    Number values[dim] = {};
+
+    Number &
     operator[](const int i)
     {
       return values[i];
     }
 
-    double
+    Number
     operator[](const int i) const
     {
       return values[i];
@@ -44,7 +46,7 @@ namespace magmpm
     }
 
     Vector &
-    operator*=(const double factor)
+    operator*=(const Number factor)
     {
       for (int i = 0; i < dim; ++i)
         values[i] *= factor;
@@ -52,19 +54,21 @@ namespace magmpm
     }
   };
 
-  /** A dim x dim matrix, stored by rows. */
-  template <int dim>
+  /** A dim x dim matrix, stored by rows. @tparam Number  as for Vector. */
+  template <int dim, typename Number = double>
   struct Matrix
   {
-    double values[dim][dim] = {};
+    using value_type = Number;
 
-    double &
+    Number values[dim][dim] = {};
+
+    Number &
     operator()(const int i, const int j)
     {
       return values[i][j];
     }
 
-    double
+    Number
     operator()(const int i, const int j) const
     {
       return values[i][j];
@@ -80,7 +84,7 @@ namespace magmpm
     }
 
     Matrix &
-    operator*=(const double factor)
+    operator*=(const Number factor)
     {
       for (int i = 0; i < dim; ++i)
         for (int j = 0; j < dim; ++j)
@@ -93,55 +97,56 @@ namespace magmpm
   template <int dim>
   inline constexpr int n_axial_components = (dim == 3 ? 3 : 1);
 
-  template <int dim>
-  inline Vector<dim>
-  operator+(Vector<dim> a, const Vector<dim> &b)
+  template <int dim, typename Number>
+  inline Vector<dim, Number>
+  operator+(Vector<dim, Number> a, const Vector<dim, Number> &b)
   {
     return a += b;
   }
 
-  template <int dim>
-  inline Vector<dim>
-  operator-(Vector<dim> a, const Vector<dim> &b)
+  template <int dim, typename Number>
+  inline Vector<dim, Number>
+  operator-(Vector<dim, Number> a, const Vector<dim, Number> &b)
   {
     return a -= b;
   }
 
-  template <int dim>
-  inline Vector<dim>
-  operator*(const double factor, Vector<dim> a)
+  template <int dim, typename Number>
+  inline Vector<dim, Number>
+  operator*(const typename Vector<dim, Number>::value_type factor, Vector<dim, Number> a)
   {
     return a *= factor;
   }
 
-  template <int dim>
-  inline double
-  dot(const Vector<dim> &a, const Vector<dim> &b)
+  template <int dim, typename Number>
+  inline Number
+  dot(const Vector<dim, Number> &a, const Vector<dim, Number> &b)
   {
-    double sum = 0.;
+    Number sum = 0.;
     for (int i = 0; i < dim; ++i)
       sum += a[i] * b[i];
     return sum;
   }
 
-  template <int dim>
-  inline double
-  norm_square(const Vector<dim> &a)
+  template <int dim, typename Number>
+  inline Number
+  norm_square(const Vector<dim, Number> &a)
   {
     return dot(a, a);
   }
 
-  template <int dim>
-  inline double
-  norm(const Vector<dim> &a)
+  template <int dim, typename Number>
+  inline Number
+  norm(const Vector<dim, Number> &a)
   {
-    return std::sqrt(norm_square(a));
+    using std::sqrt;
+    return sqrt(norm_square(a));
   }
 
   /** a x b; in 2D its only component, across the plane. */
-  template <int dim>
-  inline Vector<n_axial_components<dim>>
-  cross(const Vector<dim> &a, const Vector<dim> &b)
+  template <int dim, typename Number>
+  inline Vector<n_axial_components<dim>, Number>
+  cross(const Vector<dim, Number> &a, const Vector<dim, Number> &b)
   {
     if constexpr (dim == 3)
       return {{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}};
@@ -150,9 +155,10 @@ namespace magmpm
   }
 
   /** The velocity omega x r of a rotation; in 2D omega is across the plane. */
-  template <int dim>
-  inline Vector<dim>
-  rotation_velocity(const Vector<n_axial_components<dim>> &omega, const Vector<dim> &r)
+  template <int dim, typename Number>
+  inline Vector<dim, Number>
+  rotation_velocity(const Vector<n_axial_components<dim>, Number> &omega,
+                    const Vector<dim, Number> &r)
   {
     if constexpr (dim == 3)
       return cross(omega, r);
@@ -160,88 +166,92 @@ namespace magmpm
       return {{-omega[0] * r[1], omega[0] * r[0]}};
   }
 
-  template <int dim>
-  inline Matrix<dim>
-  operator+(Matrix<dim> a, const Matrix<dim> &b)
+  template <int dim, typename Number>
+  inline Matrix<dim, Number>
+  operator+(Matrix<dim, Number> a, const Matrix<dim, Number> &b)
   {
     return a += b;
   }
 
-  template <int dim>
-  inline Matrix<dim>
-  operator*(const double factor, Matrix<dim> a)
+  template <int dim, typename Number>
+  inline Matrix<dim, Number>
+  operator*(const typename Matrix<dim, Number>::value_type factor, Matrix<dim, Number> a)
   {
     return a *= factor;
   }
 
-  template <int dim>
-  inline Vector<dim>
-  operator*(const Matrix<dim> &a, const Vector<dim> &x)
+  template <int dim, typename Number>
+  inline Vector<dim, Number>
+  operator*(const Matrix<dim, Number> &a, const Vector<dim, Number> &x)
   {
-    Vector<dim> result;
+    Vector<dim, Number> result;
     for (int i = 0; i < dim; ++i)
       for (int j = 0; j < dim; ++j)
         result[i] += a(i, j) * x[j];
     return result;
   }
 
-  template <int dim>
-  inline Matrix<dim>
-  operator*(const Matrix<dim> &a, const Matrix<dim> &b)
+  template <int dim, typename Number>
+  inline Matrix<dim, Number>
+  operator*(const Matrix<dim, Number> &a, const Matrix<dim, Number> &b)
   {
-    Matrix<dim> result;
+    Matrix<dim, Number> result;
     for (int i = 0; i < dim; ++i)
       for (int j = 0; j < dim; ++j)
-        for (int k = 0; k < dim; ++k)
-          result(i, j) += a(i, k) * b(k, j);
+        {
+          Number sum = a(i, 0) * b(0, j);
+          for (int k = 1; k < dim; ++k)
+            sum += a(i, k) * b(k, j);
+          result(i, j) = sum;
+        }
     return result;
   }
 
-  template <int dim>
-  inline Matrix<dim>
+  template <int dim, typename Number = double>
+  inline Matrix<dim, Number>
   identity()
   {
-    Matrix<dim> result;
+    Matrix<dim, Number> result;
     for (int i = 0; i < dim; ++i)
       result(i, i) = 1.;
     return result;
   }
 
-  template <int dim>
-  inline Matrix<dim>
-  transpose(const Matrix<dim> &a)
+  template <int dim, typename Number>
+  inline Matrix<dim, Number>
+  transpose(const Matrix<dim, Number> &a)
   {
-    Matrix<dim> result;
+    Matrix<dim, Number> result;
     for (int i = 0; i < dim; ++i)
       for (int j = 0; j < dim; ++j)
         result(i, j) = a(j, i);
     return result;
   }
 
-  template <int dim>
-  inline Matrix<dim>
-  outer(const Vector<dim> &a, const Vector<dim> &b)
+  template <int dim, typename Number>
+  inline Matrix<dim, Number>
+  outer(const Vector<dim, Number> &a, const Vector<dim, Number> &b)
   {
-    Matrix<dim> result;
+    Matrix<dim, Number> result;
     for (int i = 0; i < dim; ++i)
       for (int j = 0; j < dim; ++j)
         result(i, j) = a[i] * b[j];
     return result;
   }
 
-  template <int dim>
-  inline double
-  trace(const Matrix<dim> &a)
+  template <int dim, typename Number>
+  inline Number
+  trace(const Matrix<dim, Number> &a)
   {
-    double sum = 0.;
+    Number sum = 0.;
     for (int i = 0; i < dim; ++i)
       sum += a(i, i);
     return sum;
   }
 
-  template <int dim>
-  inline double
-  determinant(const Matrix<dim> &a)
+  template <int dim, typename Number>
+  inline Number
+  determinant(const Matrix<dim, Number> &a)
   {
     if constexpr (dim == 3)
       return a(0, 0) * (a(1, 1) * a(2, 2) - a(1, 2) * a(2, 1)) -
@@ -252,14 +262,15 @@ namespace magmpm
   }
 
   /** Square root of the sum of the squares of all entries. */
-  template <int dim>
-  inline double
-  frobenius_norm(const Matrix<dim> &a)
+  template <int dim, typename Number>
+  inline Number
+  frobenius_norm(const Matrix<dim, Number> &a)
   {
-    double sum = 0.;
+    Number sum = 0.;
     for (int i = 0; i < dim; ++i)
       for (int j = 0; j < dim; ++j)
         sum += a(i, j) * a(i, j);
-    return std::sqrt(sum);
+    using std::sqrt;
+    return sqrt(sum);
   }
 } // namespace magmpm

@@ -8,7 +8,8 @@ namespace magmpm
   {
     stick,
     slip,
-    separate
+    separate,
+    open ///< no wall: particles leave there
   };
 
   /** Condition on the faces of the mechanical box: -x, +x, -y, +y, -z, +z. */
@@ -16,5 +17,8 @@ namespace magmpm
   struct WallParameters
   {
     std::array<WallCondition, 2 *dim> condition = {};
+
+    /** Whether particles that leave the box are removed; otherwise they end the run. */
+    bool removes_leaving_particles = false;
   };
 } // namespace magmpm

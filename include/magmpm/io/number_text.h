@@ -1,6 +1,9 @@
 #pragma once
 
+#include <magmpm/base/tensor.h>
+
 #include <optional>
+#include <sstream>
 #include <string>
 
 /** Numbers as people like to read them. */
@@ -21,6 +24,17 @@ namespace magmpm
   /** 1.94e-4 as "1.9e-4": two digits, no plus sign or zeros in the exponent. */
   std::string
   scientific(const double value);
+
+  /** {0.25, 0.5} as "0.25, 0.5". */
+  template <int dim>
+  inline std::string
+  components(const Vector<dim> &vector)
+  {
+    std::ostringstream text;
+    for (int d = 0; d < dim; ++d)
+      text << (d == 0 ? "" : ", ") << vector[d];
+    return text.str();
+  }
 
   /** 90.3 [s] as "1 min 30 s": the two largest of h, min, s; tenths below ten seconds. */
   std::string

@@ -71,7 +71,7 @@ namespace magmpm
    *
    *   {
    *     const auto section = parameters.enter("Time step");
-   *     parameters.add("Fixed step", fixed_step, "s", "Length of all time steps.", positive);
+   *     parameters.add("Maximum", maximum, "s", "No time step is longer.", positive);
    *   }
    *
    * The bound variables must stay where they are until apply() has been called.
@@ -126,6 +126,14 @@ namespace magmpm
     {
       add_numbers(name, variable.values, n, unit, text, any_number, presence);
     }
+
+    /** A number, or, by default, the word auto, which makes @p variable 0. */
+    void
+    add_or_auto(const std::string &name,
+                double &variable,
+                const std::string &unit,
+                const std::string &text,
+                const NumberRange &range);
 
     void
     add(const std::string &name, bool &variable, const std::string &text);

@@ -6,12 +6,12 @@
 
 namespace magmpm
 {
-  /** The length of a time step: a fixed one, or the smallest of the limits below. */
+  /** The length of a time step: the smallest of the limits below, or a fixed one. */
   struct TimeStepParameters
   {
-    bool adaptive         = true;
-    double fixed_step     = 0.;                                      ///< dt [s], if not adaptive
-    double maximum        = std::numeric_limits<double>::infinity(); ///< [s]
+    double fixed_step     = 0.;    ///< dt [s]; 0: as long as the limits allow
+    bool allow_unstable   = false; ///< a fixed step beyond the limits
+    double maximum        = std::numeric_limits<double>::infinity(); ///< [s], of a step not fixed
     double elastic_factor = 0.4;  ///< dt <= factor dx / (c + |v|)
     double viscous_factor = 0.12; ///< dt <= factor rho dx^2 / mu_N
     double force_factor   = 0.3;  ///< dt <= factor sqrt(dx / |a|)

@@ -22,10 +22,12 @@ namespace magmpm
     std::string full_limit = "none";
 
     std::size_t lost_particles     = 0; ///< so far, all ranks
+    std::size_t held_particles     = 0; ///< put back onto walls so far, all ranks
     std::size_t migrated_particles = 0; ///< so far, all ranks
 
     unsigned int mesh_changes = 0; ///< so far
     double imbalance = 1.;         ///< load of the most loaded rank over the mean, at the last sort
+    double density_error = 0.; ///< mean |J - J of the lattice| of fluids, at the last relaxation
 
     double max_speed = 0.; ///< of a particle in the last step [m/s]
 
@@ -55,9 +57,11 @@ namespace magmpm
       archive &full_time_step;
       archive &full_limit;
       archive &lost_particles;
+      archive &held_particles;
       archive &migrated_particles;
       archive &mesh_changes;
       archive &imbalance;
+      archive &density_error;
       archive &max_speed;
       archive &n_solves;
       archive &step_of_last_solve;

@@ -11,9 +11,12 @@ namespace magmpm
    *
    * @param offset   distance from the first node, in units of dx; in [0.5, 1.5).
    * @param weights  N at the three nodes; they sum to one and reproduce linear functions.
+   *
+   * @tparam Number  double, or Simd.
    */
+  template <typename Number>
   inline void
-  quadratic_bspline(const double offset, double (&weights)[stencil_width])
+  quadratic_bspline(const Number &offset, Number (&weights)[stencil_width])
   {
     weights[0] = 0.5 * (1.5 - offset) * (1.5 - offset);
     weights[1] = 0.75 - (offset - 1.) * (offset - 1.);

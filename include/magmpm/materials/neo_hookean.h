@@ -17,12 +17,14 @@ namespace magmpm
    *
    * In 2D: plane strain, F_zz = 1, per metre of depth. Everything here is defined for J > 0; at
    * J <= 0 the logarithm makes stress and energy NaN, which the caller must look for.
+   *
+   * @tparam Number  double, or Simd for several particles at once.
    */
-  template <int dim>
+  template <int dim, typename Number = double>
   struct NeoHookean
   {
     /** What a particle stores of its deformation: the gradient F. */
-    using State = Matrix<dim>;
+    using State = Matrix<dim, Number>;
 
     static constexpr bool stores_deformation_gradient = true;
 
@@ -30,14 +32,22 @@ namespace magmpm
     double lame_lambda;   ///< lambda [Pa]
     double density;       ///< undeformed [kg/m^3]
 
+    /** The same law for numbers of another type. */
+    template <typename Other>
+    NeoHookean<dim, Other>
+    with_number() const
+    {
+      return {shear_modulus, lame_lambda, density};
+    }
+
     static State
     undeformed()
     {
-      return identity<dim>();
+      return identity<dim, Number>();
     }
 
     /** J, deformed over undeformed volume. */
-    double
+    Number
     volume_ratio(const State &deformation_gradient) const
     {
       return determinant(deformation_gradient);
@@ -51,19 +61,20 @@ namespace magmpm
      */
     State
     advanced(const State &deformation_gradient,
-             const Matrix<dim> &velocity_gradient,
+             const Matrix<dim, Number> &velocity_gradient,
              const double time_step) const
     {
-      return (identity<dim>() + time_step * velocity_gradient) * deformation_gradient;
+      return (identity<dim, Number>() + time_step * velocity_gradient) * deformation_gradient;
     }
 
     /** tau = J sigma = mu (F F^T - I) + lambda ln J I [Pa]: the stress per undeformed volume. */
-    Matrix<dim>
+    Matrix<dim, Number>
     kirchhoff_stress(const State &deformation_gradient,
-                     const Matrix<dim> & /*velocity_gradient*/) const
+                     const Matrix<dim, Number> & /*velocity_gradient*/) const
     {
-      Matrix<dim> stress      = shear_modulus * left_cauchy_green(deformation_gradient);
-      const double volumetric = lame_lambda * std::log(volume_ratio(deformation_gradient)) -
+      using std::log;
+      Matrix<dim, Number> stress = shear_modulus * left_cauchy_green(deformation_gradient);
+      const Number volumetric    = lame_lambda * log(volume_ratio(deformation_gradient)) -
                                 shear_modulus;
       for (int i = 0; i < dim; ++i)
         stress(i, i) += volumetric;
@@ -71,20 +82,22 @@ namespace magmpm
     }
 
     /** sigma_zz of plane strain [Pa]; used in 2D only. */
-    double
+    Number
     cauchy_stress_out_of_plane(const State &deformation_gradient,
-                               const Matrix<dim> & /*velocity_gradient*/) const
+                               const Matrix<dim, Number> & /*velocity_gradient*/) const
     {
-      const double volume_ratio_here = volume_ratio(deformation_gradient);
-      return lame_lambda * std::log(volume_ratio_here) / volume_ratio_here;
+      using std::log;
+      const Number volume_ratio_here = volume_ratio(deformation_gradient);
+      return lame_lambda * log(volume_ratio_here) / volume_ratio_here;
     }
 
     /** Von Mises stress of the Cauchy stress [Pa]. */
-    double
-    von_mises_stress(const State &deformation_gradient, const Matrix<dim> &velocity_gradient) const
+    Number
+    von_mises_stress(const State &deformation_gradient,
+                     const Matrix<dim, Number> &velocity_gradient) const
     {
-      const Matrix<dim> stress = (1. / volume_ratio(deformation_gradient)) *
-                                 kirchhoff_stress(deformation_gradient, velocity_gradient);
+      const Matrix<dim, Number> stress = (1. / volume_ratio(deformation_gradient)) *
+                                         kirchhoff_stress(deformation_gradient, velocity_gradient);
       if constexpr (dim == 3)
         return magmpm::von_mises_stress(stress);
       else
@@ -93,14 +106,15 @@ namespace magmpm
     }
 
     /** Elastic energy psi per undeformed volume [J/m^3]; zero when undeformed. */
-    double
+    Number
     energy_density(const State &deformation_gradient) const
     {
-      double square = 0.;
+      using std::log;
+      Number square = 0.;
       for (int i = 0; i < dim; ++i)
         for (int j = 0; j < dim; ++j)
           square += deformation_gradient(i, j) * deformation_gradient(i, j);
-      const double log_volume_ratio = std::log(volume_ratio(deformation_gradient));
+      const Number log_volume_ratio = log(volume_ratio(deformation_gradient));
       return shear_modulus * (0.5 * (square - dim) - log_volume_ratio) +
              0.5 * lame_lambda * log_volume_ratio * log_volume_ratio;
     }
@@ -113,17 +127,18 @@ namespace magmpm
      * eigenvalue and sqrt((dim-1)/dim) times the norm of the deviator. The bound is exact in 2D and
      * for undeformed and uniaxially stretched material, and at most 4/3 of the eigenvalue in 3D.
      */
-    double
+    Number
     wave_speed(const State &deformation_gradient) const
     {
-      Matrix<dim> b     = left_cauchy_green(deformation_gradient);
-      const double mean = trace(b) / dim;
+      using std::log, std::max, std::sqrt;
+      Matrix<dim, Number> b = left_cauchy_green(deformation_gradient);
+      const Number mean     = trace(b) / dim;
       for (int i = 0; i < dim; ++i)
         b(i, i) -= mean;
-      const double largest_stretch_square = mean + std::sqrt((dim - 1.) / dim) * frobenius_norm(b);
-      const double log_volume_ratio       = std::log(volume_ratio(deformation_gradient));
-      const double along                  = shear_modulus + lame_lambda * (1. - log_volume_ratio);
-      return std::sqrt((shear_modulus * largest_stretch_square + std::max(along, 0.)) / density);
+      const Number largest_stretch_square = mean + std::sqrt((dim - 1.) / dim) * frobenius_norm(b);
+      const Number log_volume_ratio       = log(volume_ratio(deformation_gradient));
+      const Number along                  = shear_modulus + lame_lambda * (1. - log_volume_ratio);
+      return sqrt((shear_modulus * largest_stretch_square + max(along, 0.)) / density);
     }
 
     /** Dynamic viscosity [Pa s]: none. */
@@ -135,7 +150,7 @@ namespace magmpm
 
   private:
     /** b = F F^T. */
-    static Matrix<dim>
+    static Matrix<dim, Number>
     left_cauchy_green(const State &deformation_gradient)
     {
       return deformation_gradient * transpose(deformation_gradient);

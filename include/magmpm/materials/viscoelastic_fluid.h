@@ -13,12 +13,14 @@ namespace magmpm
    *   sigma = mu_N (grad v + grad v^T) - K (1 - J) I.
    * Compressed (J < 1), its pressure p = K (1 - J) is positive and pushes outwards. The pressure
    * derives from the energy K/2 (1 - J)^2 per undeformed volume. In 2D: plane strain.
+   *
+   * @tparam Number  double, or Simd for several particles at once.
    */
-  template <int dim>
+  template <int dim, typename Number = double>
   struct ViscoelasticFluid
   {
     /** What a particle stores of its deformation: the volume ratio J. */
-    using State = double;
+    using State = Number;
 
     static constexpr bool stores_deformation_gradient = false;
 
@@ -26,13 +28,21 @@ namespace magmpm
     double dynamic_viscosity; ///< mu_N [Pa s]
     double density;           ///< undeformed [kg/m^3]
 
+    /** The same law for numbers of another type. */
+    template <typename Other>
+    ViscoelasticFluid<dim, Other>
+    with_number() const
+    {
+      return {bulk_modulus, dynamic_viscosity, density};
+    }
+
     static State
     undeformed()
     {
       return 1.;
     }
 
-    double
+    Number
     volume_ratio(const State &state) const
     {
       return state;
@@ -46,37 +56,38 @@ namespace magmpm
      */
     State
     advanced(const State &volume_ratio,
-             const Matrix<dim> &velocity_gradient,
+             const Matrix<dim, Number> &velocity_gradient,
              const double time_step) const
     {
-      return volume_ratio * std::exp(time_step * trace(velocity_gradient));
+      using std::exp;
+      return volume_ratio * exp(time_step * trace(velocity_gradient));
     }
 
     /** tau = J sigma [Pa]: the stress per undeformed volume. */
-    Matrix<dim>
-    kirchhoff_stress(const State &volume_ratio, const Matrix<dim> &velocity_gradient) const
+    Matrix<dim, Number>
+    kirchhoff_stress(const State &volume_ratio, const Matrix<dim, Number> &velocity_gradient) const
     {
-      Matrix<dim> stress = (volume_ratio * dynamic_viscosity) *
-                           (velocity_gradient + transpose(velocity_gradient));
+      Matrix<dim, Number> stress = (volume_ratio * dynamic_viscosity) *
+                                   (velocity_gradient + transpose(velocity_gradient));
       for (int i = 0; i < dim; ++i)
         stress(i, i) -= volume_ratio * pressure(volume_ratio);
       return stress;
     }
 
     /** sigma_zz of plane strain [Pa]; used in 2D only. */
-    double
+    Number
     cauchy_stress_out_of_plane(const State &volume_ratio,
-                               const Matrix<dim> & /*velocity_gradient*/) const
+                               const Matrix<dim, Number> & /*velocity_gradient*/) const
     {
       return -pressure(volume_ratio);
     }
 
     /** Von Mises stress of the Cauchy stress [Pa]: that of the viscous part. */
-    double
-    von_mises_stress(const State &volume_ratio, const Matrix<dim> &velocity_gradient) const
+    Number
+    von_mises_stress(const State &volume_ratio, const Matrix<dim, Number> &velocity_gradient) const
     {
-      const Matrix<dim> stress = (1. / volume_ratio) *
-                                 kirchhoff_stress(volume_ratio, velocity_gradient);
+      const Matrix<dim, Number> stress = (1. / volume_ratio) *
+                                         kirchhoff_stress(volume_ratio, velocity_gradient);
       if constexpr (dim == 3)
         return magmpm::von_mises_stress(stress);
       else
@@ -85,14 +96,14 @@ namespace magmpm
     }
 
     /** Elastic energy K/2 (1 - J)^2 per undeformed volume [J/m^3]. */
-    double
+    Number
     energy_density(const State &volume_ratio) const
     {
       return 0.5 * bulk_modulus * (1. - volume_ratio) * (1. - volume_ratio);
     }
 
     /** Speed of sound in the deformed fluid [m/s]: c^2 = dp/d(density/J) = K J^2/density. */
-    double
+    Number
     wave_speed(const State &volume_ratio) const
     {
       return volume_ratio * std::sqrt(bulk_modulus / density);
@@ -106,7 +117,7 @@ namespace magmpm
     }
 
     /** p = K (1 - J) [Pa]; negative in tension. */
-    double
+    Number
     pressure(const State &volume_ratio) const
     {
       return bulk_modulus * (1. - volume_ratio);

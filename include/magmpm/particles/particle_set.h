@@ -96,13 +96,13 @@ namespace magmpm
     double *
     component(const ParticleProperty quantity, const int c)
     {
-      return components[first_component[static_cast<int>(quantity)] + c].data();
+      return column(first_component[static_cast<int>(quantity)] + c);
     }
 
     const double *
     component(const ParticleProperty quantity, const int c) const
     {
-      return components[first_component[static_cast<int>(quantity)] + c].data();
+      return column(first_component[static_cast<int>(quantity)] + c);
     }
 
     /** A number per particle that stays with it and does not depend on the number of ranks. */
@@ -157,6 +157,25 @@ namespace magmpm
     reorder(const std::vector<std::uint32_t> &order);
 
   private:
+    /**
+     * Numbers that column i leaves free before its first one, per column. Large arrays begin at the
+     * same place of a page of memory, and so do all numbers of a particle: the first-level cache has
+     * room for a few of these only, unless the columns are shifted against one another.
+     */
+    static constexpr std::size_t stagger = 24;
+
+    double *
+    column(const int i)
+    {
+      return components[i].data() + i * stagger;
+    }
+
+    const double *
+    column(const int i) const
+    {
+      return components[i].data() + i * stagger;
+    }
+
     std::array<int, n_particle_properties> component_counts;
     std::array<int, n_particle_properties> first_component;
     std::vector<std::vector<double>> components;

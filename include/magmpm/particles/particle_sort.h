@@ -50,13 +50,4 @@ namespace magmpm
   template <int dim>
   void
   sort_into_blocks(const BlockSet<dim> &blocks, const Lattice<dim> &lattice, Body<dim> &body);
-
-  /**
-   * Removes particles that are more than one cell beyond a wall (or nowhere: not a number).
-   *
-   * @return how many.
-   */
-  template <int dim>
-  std::size_t
-  remove_lost_particles(const Lattice<dim> &lattice, Body<dim> &body);
 } // namespace magmpm

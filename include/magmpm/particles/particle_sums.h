@@ -26,11 +26,12 @@ namespace magmpm
     Vector<dim> magnetic_force;  ///< sum of m a, carried since the last solve [N]
     Vector<dim> magnetic_moment; ///< sum of J V_0 M, M from H at the last solve [A m^2]
 
-    double max_speed         = 0.; ///< [m/s]
-    double min_volume_ratio  = 1e300;
-    double max_volume_ratio  = 0.;
-    double max_field         = 0.; ///< |H| [A/m]
-    double max_magnetization = 0.; ///< |M| [A/m]
+    double max_speed           = 0.; ///< [m/s]
+    double max_affine_velocity = 0.; ///< Frobenius norm of C [1/s]
+    double min_volume_ratio    = 1e300;
+    double max_volume_ratio    = 0.;
+    double max_field           = 0.; ///< |H| [A/m]
+    double max_magnetization   = 0.; ///< |M| [A/m]
 
     /** The force of magnets on a particle over its mass, at most [m/s^2]. */
     double max_magnetic_acceleration = 0.;

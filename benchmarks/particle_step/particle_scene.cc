@@ -1,0 +1,65 @@
+#include <magmpm/particles/seeding.h>
+
+#include <particle_step/particle_scene.h>
+
+#include <cmath>
+
+namespace magmpm::benchmarks
+{
+  namespace
+  {
+    constexpr int particles_per_edge = 2;
+
+    /** A block of n_cells^3 cells in a box with two cells of air on each side. */
+    ParticleScene
+    falling_block(const std::string &name,
+                  const double n_particles,
+                  const MaterialParameters &material,
+                  const double density)
+    {
+      const int n_cells =
+        std::max(1, static_cast<int>(std::lround(std::cbrt(n_particles) / particles_per_edge)));
+      ParticleScene scene;
+      scene.name            = name;
+      scene.time_step       = 5e-5;
+      scene.lattice.spacing = 1. / 128.;
+      BodyParameters<3> body;
+      body.name               = name;
+      body.density            = density;
+      body.particles_per_edge = particles_per_edge;
+      body.jitter             = 0.4; // 0.1 dx to each side
+      body.velocity           = {{0., 0., -1.}};
+      for (int d = 0; d < 3; ++d)
+        {
+          const int first          = (d == 2 ? 1 : 2);
+          scene.lattice.n_cells[d] = block_edge * ((n_cells + 2 * first) / block_edge + 1);
+          body.lower_corner[d]     = scene.lattice.spacing * first;
+          body.upper_corner[d]     = scene.lattice.spacing * (first + n_cells);
+        }
+      scene.bodies.emplace_back(body, material);
+      seed_particles(body, scene.lattice, 0, 0, 1, scene.bodies.back());
+      return scene;
+    }
+  } // namespace
+
+  ParticleScene
+  elastic_cube(const double n_particles)
+  {
+    // Young's modulus 1e5 Pa, Poisson's ratio 0.3.
+    MaterialParameters material;
+    material.law           = MechanicalLaw::neo_hookean;
+    material.shear_modulus = 1e5 / 2.6;
+    material.lame_lambda   = 1e5 * 0.3 / (1.3 * 0.4);
+    return falling_block("elastic cube", n_particles, material, 2500.);
+  }
+
+  ParticleScene
+  fluid_block(const double n_particles)
+  {
+    MaterialParameters material;
+    material.law          = MechanicalLaw::viscoelastic_fluid;
+    material.bulk_modulus = 1e5;
+    material.viscosity    = 1.;
+    return falling_block("fluid block", n_particles, material, 1000.);
+  }
+} // namespace magmpm::benchmarks

@@ -1,0 +1,142 @@
+#include <magmpm/boundary/momentum_update.h>
+#include <magmpm/particles/particle_grid_transfer.h>
+#include <magmpm/particles/particle_sort.h>
+
+#include "particles/random_bodies.h"
+
+#include <particle_step/timed_step.h>
+#include <plain_particles/plain_particles.h>
+#include <speed_against_error/stopwatch.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace magmpm::benchmarks
+{
+  namespace
+  {
+    class PlainStep : public TimedStep
+    {
+    public:
+      explicit PlainStep(const ParticleScene &scene)
+        : particles(scene.lattice, scene.bodies)
+        , time_step(scene.time_step)
+      {
+      }
+
+      void
+      run(const Phase phase) override
+      {
+        switch (phase)
+          {
+            case Phase::sort:
+              return particles.sort();
+            case Phase::p2g:
+              return particles.particles_to_lattice(time_step);
+            case Phase::lattice:
+              return particles.update_lattice(time_step, gravity, 0);
+            case Phase::g2p:
+              return particles.lattice_to_particles(time_step);
+          }
+      }
+
+    private:
+      PlainParticles<3> particles;
+      double time_step;
+    };
+
+    class KernelStep : public TimedStep
+    {
+    public:
+      explicit KernelStep(const ParticleScene &scene)
+        : lattice(scene.lattice)
+        , bodies(scene.bodies)
+        , time_step(scene.time_step)
+        , sources({})
+        , boundary(lattice, walls(), sources)
+        , particle_mass(bodies[0].particles.component(ParticleProperty::mass, 0)[0])
+      {
+      }
+
+      void
+      run(const Phase phase) override
+      {
+        switch (phase)
+          {
+            case Phase::sort:
+              blocks = testing::active_blocks(bodies, lattice);
+              testing::sort_all(blocks, lattice, bodies);
+              return field.reinit(blocks.size());
+            case Phase::p2g:
+              return particles_to_lattice(bodies, blocks, lattice, time_step, field);
+            case Phase::lattice:
+              return update_lattice_momentum(
+                blocks, boundary, {{0., 0., gravity}}, time_step, particle_mass, field);
+            case Phase::g2p:
+              lattice_to_particles(field, blocks, lattice, time_step, bodies);
+          }
+      }
+
+    private:
+      static WallParameters<3>
+      walls()
+      {
+        WallParameters<3> walls;
+        walls.condition.fill(WallCondition::separate);
+        return walls;
+      }
+
+      Lattice<3> lattice;
+      std::vector<Body<3>> bodies;
+      double time_step;
+      ExternalField<3> sources;
+      LatticeBoundary<3> boundary;
+      double particle_mass;
+      BlockSet<3> blocks;
+      NodeField<3> field;
+    };
+  } // namespace
+
+  double
+  PhaseTimes::total() const
+  {
+    return std::accumulate(seconds.begin(), seconds.end(), 0.);
+  }
+
+  std::unique_ptr<TimedStep>
+  make_plain_step(const ParticleScene &scene)
+  {
+    return std::make_unique<PlainStep>(scene);
+  }
+
+  std::unique_ptr<TimedStep>
+  make_kernel_step(const ParticleScene &scene)
+  {
+    return std::make_unique<KernelStep>(scene);
+  }
+
+  PhaseTimes
+  time_of_steps(TimedStep &step, const int n_steps)
+  {
+    PhaseTimes times;
+    const auto timed = [&](const Phase phase) {
+      const Stopwatch watch;
+      step.run(phase);
+      times.seconds[static_cast<int>(phase)] += watch.seconds();
+    };
+    timed(Phase::sort);
+    for (int n = 0; n < n_steps; ++n)
+      for (const Phase phase : {Phase::p2g, Phase::lattice, Phase::g2p})
+        timed(phase);
+    return times;
+  }
+
+  Spread
+  spread(std::vector<double> values)
+  {
+    std::sort(values.begin(), values.end());
+    const std::size_t half = values.size() / 2;
+    return {values.front(),
+            values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half])};
+  }
+} // namespace magmpm::benchmarks

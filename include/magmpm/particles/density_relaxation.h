@@ -1,0 +1,74 @@
+#pragma once
+
+#include <magmpm/lattice/block_set.h>
+#include <magmpm/lattice/node_field.h>
+#include <magmpm/particles/body.h>
+#include <magmpm/particles/box_faces.h>
+
+#include <vector>
+
+namespace magmpm
+{
+  /**
+   * The J of a fluid follows div v at its particle. What the lattice does not resolve adds up over
+   * many steps: particles come as close to one another as they like while their J stays near one, and
+   * a pool at rest sinks to half its volume. So J is drawn, every few steps, towards that of the
+   * lattice, the volume that the particles around leave to each of them,
+   *
+   *   J <- J + (1 - exp(-t/tau)) (J_lattice - J),   J_lattice = 1/sum_i N_ip v_i,
+   *   v_i = sum_p N_ip V_0/dx^dim / (share of the node's B-spline inside of the walls),
+   *
+   * with tau = 3 dx/c: slow beside sound in a cell, fast beside what flows. Next to a free surface,
+   * where v_i of one of the nodes is below 0.8, J is left alone: there the B-splines see too little.
+   * Fluids count together; a solid body or magnet beside them is a free surface to them.
+   */
+
+  /** Steps from one relaxation to the next. */
+  inline constexpr int relaxation_period = 5;
+
+  /** Whether there is any J to relax. */
+  template <int dim>
+  bool
+  has_fluid(const std::vector<Body<dim>> &bodies);
+
+  /** P2G of the undeformed volume of fluids over dx^dim, in lane 0; the rest is zero. */
+  template <int dim>
+  void
+  fluid_fraction_to_lattice(const std::vector<Body<dim>> &bodies,
+                            const BlockSet<dim> &blocks,
+                            const Lattice<dim> &lattice,
+                            NodeField<dim> &field);
+
+  /**
+   * On the owned nodes, after ranks have added their parts: {v_i, weight}, both zero beyond walls;
+   * the weight is one, and very negative where the free surface is near.
+   */
+  template <int dim>
+  void
+  complete_fluid_fraction(const BlockSet<dim> &blocks,
+                          const Lattice<dim> &lattice,
+                          const OpenFaces<dim> &open,
+                          NodeField<dim> &field);
+
+  /** |J - J_lattice| over particles of fluids that are not next to a free surface. */
+  struct DensityError
+  {
+    double sum         = 0.;
+    double n_particles = 0.;
+  };
+
+  /**
+   * Relaxes J of all fluids.
+   *
+   * @param field  completed, ghosts up to date.
+   * @param time   since the last relaxation [s].
+   * @return what it found, of this rank's particles.
+   */
+  template <int dim>
+  DensityError
+  relax_volume_ratios(const NodeField<dim> &field,
+                      const BlockSet<dim> &blocks,
+                      const Lattice<dim> &lattice,
+                      const double time,
+                      std::vector<Body<dim>> &bodies);
+} // namespace magmpm
