@@ -37,8 +37,8 @@ namespace
   {
     const auto fronts = dam_fronts(cells);
     for (const DamFront &front : fronts)
-      std::cout << "    T = " << front.time << ": Z = " << front.simulated << ", measured "
-                << front.measured << '\n';
+      std::cout << "    T = " << front.time << ": Z = " << front.simulated << " (foremost particle "
+                << front.foremost << "), measured " << front.measured << '\n';
     return dam_front_error(fronts);
   }
 

@@ -59,7 +59,7 @@ end
 subsection Walls
   set Lower x = separate
   set Upper x = separate
-  set Lower y = stick
+  set Lower y = separate
   set Upper y = separate
 end
 subsection Output
@@ -70,13 +70,15 @@ end
 )";
     }
 
-    double
-    front(const ParticleFrame &frame)
+    /** Where the front and the foremost particle are, over a. */
+    std::pair<double, double>
+    reach(const ParticleFrame &frame)
     {
-      double foremost = 0.;
+      std::vector<double> places;
       for (const auto &position : frame.positions)
-        foremost = std::max(foremost, position[0]);
-      return foremost / width;
+        places.push_back(position[0] / width);
+      std::sort(places.begin(), places.end());
+      return {places[static_cast<std::size_t>(0.995 * places.size())], places.back()};
     }
   } // namespace
 
@@ -97,7 +99,12 @@ end
             "The run of the dam break has no frame about T = " + as_text(time) + ".");
         const auto before = after - 1;
         const double part = (time * time_unit - before->time) / (after->time - before->time);
-        fronts.push_back({time, place, (1. - part) * front(*before) + part * front(*after)});
+        const auto [front_before, foremost_before] = reach(*before);
+        const auto [front_after, foremost_after]   = reach(*after);
+        fronts.push_back({time,
+                          place,
+                          (1. - part) * front_before + part * front_after,
+                          (1. - part) * foremost_before + part * foremost_after});
       }
     return fronts;
   }

@@ -37,7 +37,7 @@ TEST_CASE("A fluid at rest has hydrostatic pressure", "[program]")
 TEST_CASE("A collapsing column of water runs as measured", "[program]")
 {
   // The front against the experiment of Martin and Moyce, 1952, n^2 = 2, until it has gone 4 a.
-  const std::vector<DamFront> fronts = dam_fronts(12);
+  const std::vector<DamFront> fronts = dam_fronts(8);
   REQUIRE(fronts.size() == 6);
   INFO("largest error " << dam_front_error(fronts));
   CHECK(dam_front_error(fronts) < 0.1);
