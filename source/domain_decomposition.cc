@@ -5,12 +5,19 @@
 #include <magmpm/particles/box_faces.h>
 #include <magmpm/particles/particle_migration.h>
 
+#include <algorithm>
 #include <sstream>
 
 namespace magmpm
 {
   namespace
   {
+    /**
+     * When the mesh changes it is made for the time in which the fastest particle goes this way. Every
+     * change costs the set-up of a solve; every block more costs unknowns in all solves to come.
+     */
+    constexpr double foreseen_way = 4.; // in dx
+
     template <int dim>
     std::string
     describe(const Departure<dim> &departure, const std::string &body)
@@ -66,12 +73,31 @@ namespace magmpm
           first_lost = text;
 
     const OccupiedBlocks<dim> occupied = occupied_blocks(bodies, lattice, has_force);
-    background_mesh.adapt(occupied.blocks, occupied.n_particles);
-    const std::size_t n_migrated = migrate_to_owners(occupied, bodies);
+    Regrouping done;
+    done.mesh = background_mesh.adapt(occupied.blocks, occupied.n_particles, blocks_ahead(bodies));
+    done.n_migrated = dealii::Utilities::MPI::sum(migrate_to_owners(occupied, bodies),
+                                                  communicator);
     block_partition.rebuild(occupied_blocks(bodies, lattice, has_force).blocks);
     for (Body<dim> &body : bodies)
       sort_into_blocks(blocks(), lattice, body);
-    return {n_lost, first_lost, dealii::Utilities::MPI::sum(n_migrated, communicator)};
+    done.n_lost     = n_lost;
+    done.first_lost = first_lost;
+    return done;
+  }
+
+  template <int dim>
+  std::vector<Index<dim>>
+  DomainDecomposition<dim>::blocks_ahead(const std::vector<Body<dim>> &bodies) const
+  {
+    double speed = 0.;
+    for (const Body<dim> &body : bodies)
+      for (std::size_t p = 0; p < body.particles.size(); ++p)
+        speed = std::max(speed, norm(body.particles.vector(ParticleProperty::velocity, p)));
+    speed = dealii::Utilities::MPI::max(speed, communicator);
+    if (speed == 0.)
+      return {};
+    return approached_blocks<dim>(
+      bodies, lattice, foreseen_way * lattice.spacing / speed, has_force);
   }
 
   template <int dim>

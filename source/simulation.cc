@@ -210,10 +210,12 @@ namespace magmpm
     if (parameters.mesh.carries_potential)
       magnetics = std::make_unique<MagneticCoupling<dim>>(
         parameters, *decomposition, external_field, *timer, communicator);
-    // Where particles are when a run begins or is resumed is no migration.
+    // Where particles are when a run begins or is resumed is no migration, and no change of the mesh.
     const std::size_t n_migrated = state.migrated_particles;
+    const unsigned int n_changes = state.mesh_changes;
     regroup_particles();
     state.migrated_particles = n_migrated;
+    state.mesh_changes       = n_changes;
   }
 
   template <int dim>
@@ -243,7 +245,7 @@ namespace magmpm
     external_field.set_time(0.);
     step_conditions.acceleration = norm(parameters.gravity);
     update_magnetics();
-    results.write_header(bodies, state.last_solve.n_unknowns);
+    results.write_header(state, bodies);
 
     // What limits the first step is not known from a step before it.
     std::vector<ParticleExtremes> extremes;
@@ -277,6 +279,10 @@ namespace magmpm
       }
     state.lost_particles += regrouping.n_lost;
     state.migrated_particles += regrouping.n_migrated;
+    if (regrouping.mesh.is_rebalanced)
+      results.log().rebalanced(regrouping.mesh.imbalance_before, regrouping.mesh.imbalance);
+    state.mesh_changes += regrouping.mesh.is_change();
+    state.imbalance = regrouping.mesh.imbalance;
     lattice_field.reinit(decomposition->blocks().size());
     drift_since_sort = 0.;
   }
@@ -507,7 +513,7 @@ namespace magmpm
     external_field.remember();
     set_up_decomposition();
 
-    results.write_header(bodies, state.last_solve.n_unknowns);
+    results.write_header(state, bodies);
     results.log().message("resumed at frame " + std::to_string(state.frame) +
                           ", t = " + three_digits(state.time) + " s, from " + checkpoints.latest());
     if (!changes.allowed.empty())

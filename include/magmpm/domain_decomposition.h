@@ -17,9 +17,10 @@ namespace magmpm
   /** What a regrouping of particles did, counted over all ranks. */
   struct Regrouping
   {
-    std::size_t n_lost;     ///< particles that had left the box and were removed
-    std::string first_lost; ///< one of them in words
-    std::size_t n_migrated; ///< particles that changed their rank
+    std::size_t n_lost = 0;     ///< particles that had left the box and were removed
+    std::string first_lost;     ///< one of them in words
+    std::size_t n_migrated = 0; ///< particles that changed their rank
+    MeshAdaptation mesh;
   };
 
   /** A sentence about the particles that were lost. @param time  of now [s]. */
@@ -62,6 +63,10 @@ namespace magmpm
     }
 
   private:
+    /** Where the particles will be before the mesh should have to change again. */
+    std::vector<Index<dim>>
+    blocks_ahead(const std::vector<Body<dim>> &bodies) const;
+
     std::size_t
     migrate_to_owners(const OccupiedBlocks<dim> &occupied, std::vector<Body<dim>> &bodies) const;
 

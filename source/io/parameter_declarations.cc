@@ -319,12 +319,13 @@ namespace magmpm
         "Edge of the box of the potential over that of the mechanical box, at least, "
         "where its faces are open.",
         at_least_one);
-      declarations.add("Potential band width",
-                       mesh.band_width,
-                       "-",
-                       "Blocks (of 4 cells) around those next to particles where the mesh is fine "
-                       "too: a wider band costs unknowns and saves changes of the mesh.",
-                       {0., 1000.});
+      declarations.add(
+        "Potential band width",
+        mesh.band_width,
+        "-",
+        "Blocks (of 4 cells) around those next to particles, now or soon, where the "
+        "mesh is fine too: a wider band costs unknowns and saves changes of the mesh.",
+        {0., 1000.});
       const auto section = declarations.enter("Potential box");
       for (std::size_t face = 0; face < face_names.size(); ++face)
         if (face < mesh.shielded.size())
@@ -409,6 +410,20 @@ namespace magmpm
                        {1., 1e6});
       declare_potential_mesh(declarations, parameters.mesh);
       declare_solve_trigger(declarations, parameters.solve_trigger);
+    }
+
+    void
+    declare_ranks(ParameterRegister &declarations, double &imbalance_threshold)
+    {
+      const auto section = declarations.enter("Parallel");
+      declarations.add(
+        "Imbalance threshold",
+        imbalance_threshold,
+        "-",
+        "Load of the most loaded rank over the mean above which cells and particles "
+        "are dealt out anew. The load is an estimate: a cell of the potential counts "
+        "as 30 particles.",
+        at_least_one);
     }
 
     void
@@ -564,6 +579,7 @@ namespace magmpm
     declare_magnetics(declarations, input, parameters);
     declare_time_step(declarations, parameters.time_step);
     declare_runaway_limits(declarations, parameters.runaway_limits);
+    declare_ranks(declarations, parameters.mesh.imbalance_threshold);
     declare_output(declarations, parameters.output);
   }
 

@@ -153,13 +153,12 @@ namespace magmpm
 
   template <int dim>
   void
-  Results<dim>::write_header(const std::vector<Body<dim>> &bodies,
-                             const unsigned long long n_potential_unknowns)
+  Results<dim>::write_header(const RunState &state, const std::vector<Body<dim>> &bodies)
   {
     RunLog::Scene scene;
     scene.dimension           = dim;
     scene.lattice_spacing     = parameters.lattice.spacing;
-    scene.potential_unknowns  = n_potential_unknowns;
+    scene.potential_unknowns  = state.last_solve.n_unknowns;
     unsigned long n_particles = 0;
     for (const Body<dim> &body : bodies)
       n_particles += body.particles.size();
@@ -168,6 +167,7 @@ namespace magmpm
     dealii::Utilities::System::get_memory_stats(memory);
     scene.memory = 1024. *
                    dealii::Utilities::MPI::sum(static_cast<double>(memory.VmRSS), communicator);
+    scene.imbalance = state.imbalance;
     for (const BodyParameters<dim> &body : parameters.bodies)
       scene.bodies.push_back(
         {body.name, body.density, parameters.material_of(body), parameters.magnetics.law});
@@ -239,6 +239,8 @@ namespace magmpm
     statistics.set("held particles", state.held_particles);
     statistics.set("migrated particles", state.migrated_particles);
     statistics.set("fewest particles of a rank", fewest_particles);
+    statistics.set("load imbalance", state.imbalance);
+    statistics.set("mesh changes", state.mesh_changes);
     statistics.set("kinetic energy", total.kinetic_energy);
     statistics.set("elastic energy", total.elastic_energy);
     statistics.set("gravitational energy", total.gravitational_energy);

@@ -143,6 +143,8 @@ namespace magmpm
       *both << "nothing magnetic: no potential";
     if (scene.memory > 0.)
       *both << ", " << std::lround(scene.memory / 1e6) << " MB";
+    if (n_ranks > 1)
+      *both << ", load imbalance " << three_digits(scene.imbalance);
     *both << '\n';
 
     for (const Body &body : scene.bodies)
@@ -188,6 +190,13 @@ namespace magmpm
     if (n_left > 0.)
       line << ", about " << duration(n_left * seconds_per_frame()) << " left";
     *both << line.str() << std::endl;
+  }
+
+  void
+  RunLog::rebalanced(const double imbalance_before, const double imbalance)
+  {
+    message("load imbalance " + three_digits(imbalance_before) + " on " + std::to_string(n_ranks) +
+            " ranks: cells and particles dealt out anew, now " + three_digits(imbalance));
   }
 
   void

@@ -54,6 +54,8 @@ namespace magmpm
                                              {"held particles", ""},
                                              {"migrated particles", ""},
                                              {"fewest particles of a rank", ""},
+                                             {"load imbalance", "-"},
+                                             {"mesh changes", ""},
                                              {"kinetic energy", Unit::energy},
                                              {"elastic energy", Unit::energy},
                                              {"gravitational energy", Unit::energy},

@@ -4,6 +4,7 @@
 
 #include <magmpm/lattice/block_set.h>
 #include <magmpm/mesh/background_mesh.h>
+#include <magmpm/mesh/potential_box.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -16,66 +17,15 @@ namespace magmpm
   {
     using BlockKeys = std::unordered_set<std::uint64_t>;
 
-    /** A box of root cells, each a cube of 2^root_level blocks. */
-    template <int dim>
-    struct PotentialBox
+    /** What the ranks hold, one after the other. */
+    template <typename T>
+    std::vector<T>
+    of_all_ranks(const MPI_Comm communicator, const std::vector<T> &values)
     {
-      int root_level     = 0;
-      Index<dim> n_roots = {};
-      Index<dim> lower   = {}; ///< block in the lower corner
-
-      Index<dim>
-      n_blocks() const
-      {
-        Index<dim> n;
-        for (int d = 0; d < dim; ++d)
-          n[d] = n_roots[d] << root_level;
-        return n;
-      }
-    };
-
-    /** The largest root cells that meet the shielded walls, then as few of them as suffice. */
-    template <int dim>
-    PotentialBox<dim>
-    potential_box(const Lattice<dim> &lattice, const MeshParameters<dim> &parameters)
-    {
-      PotentialBox<dim> box;
-      Index<dim> needed, wall_to_wall;
-      for (int d = 0; d < dim; ++d)
-        {
-          wall_to_wall[d]  = lattice.n_cells[d] / block_edge;
-          const int n_open = parameters.carries_potential
-                               ? 2 - parameters.shielded[2 * d] - parameters.shielded[2 * d + 1]
-                               : 0;
-          needed[d]        = wall_to_wall[d];
-          if (n_open > 0)
-            needed[d] = std::max(
-              wall_to_wall[d] + 2 * n_open,
-              static_cast<int>(std::ceil(wall_to_wall[d] * parameters.potential_box_factor)));
-          const bool fixed = parameters.carries_potential && n_open == 0;
-          int level        = 0;
-          while (fixed ? needed[d] % (2 << level) == 0 : (2 << level) <= needed[d])
-            ++level;
-          box.root_level = (d == 0 ? level : std::min(box.root_level, level));
-        }
-      for (int d = 0; d < dim; ++d)
-        box.n_roots[d] = ((needed[d] - 1) >> box.root_level) + 1;
-
-      const auto is_even = [](const int n) { return n % 2 == 0; };
-      while (std::all_of(box.n_roots.begin(), box.n_roots.end(), is_even))
-        {
-          ++box.root_level;
-          for (int &n : box.n_roots)
-            n /= 2;
-        }
-      for (int d = 0; d < dim; ++d)
-        {
-          const int outside     = box.n_blocks()[d] - wall_to_wall[d];
-          const bool open_below = !(parameters.carries_potential && parameters.shielded[2 * d]);
-          const bool open_above = !(parameters.carries_potential && parameters.shielded[2 * d + 1]);
-          box.lower[d]          = (open_below ? (open_above ? -(outside / 2) : -outside) : 0);
-        }
-      return box;
+      std::vector<T> all;
+      for (const auto &of_rank : dealii::Utilities::MPI::all_gather(communicator, values))
+        all.insert(all.end(), of_rank.begin(), of_rank.end());
+      return all;
     }
 
     /** All blocks at most @p distance blocks (in the maximum norm) from @p blocks. */
@@ -123,9 +73,6 @@ namespace magmpm
     std::vector<BlockKeys>
     ancestors(const std::vector<Index<dim>> &blocks) const;
 
-    bool
-    holds(const Index<dim> &block) const;
-
     /** Whether all of these blocks (the same on all ranks) have cells of the finest level. */
     bool
     is_fine(const std::vector<Index<dim>> &blocks) const;
@@ -134,20 +81,22 @@ namespace magmpm
     bool
     is_among(const std::vector<BlockKeys> &keys, const CellIterator &cell, const int level) const;
 
+    /** Refines the cells with these keys, and may coarsen those without. @return if there were any. */
     bool
-    refine_and_coarsen(const std::vector<BlockKeys> &refined, const std::vector<BlockKeys> *kept);
+    refine_and_coarsen(const std::vector<BlockKeys> &fine, const bool coarsens);
 
-    /** The weight of a cell for the partition. */
+    /** The weight of a cell for the partition: its share of the time of a step. */
     unsigned int
-    weight(const CellIterator &cell, const double cell_weight) const;
+    weight(const CellIterator &cell) const;
 
-    /** Particles of the most loaded rank over the mean. */
+    /** Weight of the cells of the most loaded rank over the mean. */
     double
     imbalance() const;
 
     const Lattice<dim> lattice;
     const PotentialBox<dim> box;
     const int finest_level;
+    const double cell_weight; ///< of a cell without particles
     mutable Tria triangulation;
 
     /** Particles by block of all ranks, for the weights of cells. */
@@ -163,6 +112,7 @@ namespace magmpm
     , box(potential_box(lattice, parameters))
     , finest_level(box.root_level +
                    (parameters.carries_potential ? (parameters.cell_edge == 1 ? 2 : 1) : 0))
+    , cell_weight(parameters.carries_potential ? 3000. : 1.)
     , triangulation(communicator,
                     dealii::Triangulation<dim>::limit_level_difference_at_vertices,
                     typename Tria::Settings(Tria::construct_multigrid_hierarchy |
@@ -184,10 +134,8 @@ namespace magmpm
     dealii::GridGenerator::subdivided_hyper_rectangle(
       triangulation, repetitions, lower, upper, true);
 
-    const double cell_weight = (parameters.carries_potential ? 1000. : 1.);
-    triangulation.signals.weight.connect([this, cell_weight](const CellIterator &cell, const auto) {
-      return weight(cell, cell_weight);
-    });
+    triangulation.signals.weight.connect(
+      [this](const CellIterator &cell, const auto) { return weight(cell); });
   }
 
   // Costs of a step relative to each other: a cell of the potential takes as long as some 30 particles
@@ -198,8 +146,7 @@ namespace magmpm
   // between the ranks lie where the sum of weights grows, so never within a block.
   template <int dim>
   unsigned int
-  BackgroundMesh<dim>::Implementation::weight(const CellIterator &cell,
-                                              const double cell_weight) const
+  BackgroundMesh<dim>::Implementation::weight(const CellIterator &cell) const
   {
     const double particle_weight = 100.;
     const int level              = cell->level();
@@ -250,7 +197,7 @@ namespace magmpm
   {
     std::vector<BlockKeys> keys(box.root_level + 1);
     for (const Index<dim> &block : blocks)
-      if (holds(block))
+      if (box.holds(block))
         for (int level = 0; level <= box.root_level; ++level)
           {
             Index<dim> ancestor;
@@ -263,22 +210,11 @@ namespace magmpm
 
   template <int dim>
   bool
-  BackgroundMesh<dim>::Implementation::holds(const Index<dim> &block) const
-  {
-    const Index<dim> n_blocks = box.n_blocks();
-    for (int d = 0; d < dim; ++d)
-      if (block[d] < box.lower[d] || block[d] >= box.lower[d] + n_blocks[d])
-        return false;
-    return true;
-  }
-
-  template <int dim>
-  bool
   BackgroundMesh<dim>::Implementation::is_fine(const std::vector<Index<dim>> &blocks) const
   {
     BlockKeys needed;
     for (const Index<dim> &block : blocks)
-      if (holds(block))
+      if (box.holds(block))
         needed.insert(block_key<dim>(block));
 
     BlockKeys owned;
@@ -309,20 +245,20 @@ namespace magmpm
 
   template <int dim>
   bool
-  BackgroundMesh<dim>::Implementation::refine_and_coarsen(const std::vector<BlockKeys> &refined,
-                                                          const std::vector<BlockKeys> *kept)
+  BackgroundMesh<dim>::Implementation::refine_and_coarsen(const std::vector<BlockKeys> &fine,
+                                                          const bool coarsens)
   {
     bool any = false;
     for (const auto &cell : triangulation.active_cell_iterators())
       if (cell->is_locally_owned())
         {
           const int level = cell->level();
-          if (level < finest_level && is_among(refined, cell, level))
+          if (level < finest_level && is_among(fine, cell, level))
             {
               cell->set_refine_flag();
               any = true;
             }
-          else if (kept != nullptr && level > 0 && !is_among(*kept, cell, level - 1))
+          else if (coarsens && level > 0 && !is_among(fine, cell, level - 1))
             {
               cell->set_coarsen_flag();
               any = true;
@@ -340,12 +276,8 @@ namespace magmpm
   {
     double load = 0.;
     for (const auto &cell : triangulation.active_cell_iterators())
-      if (cell->is_locally_owned() && cell->level() >= box.root_level)
-        {
-          const auto found = particles_in_block.find(block_key<dim>(block_of_cell(cell)));
-          if (found != particles_in_block.end())
-            load += found->second;
-        }
+      if (cell->is_locally_owned())
+        load += weight(cell);
     const auto loads = dealii::Utilities::MPI::min_max_avg(load, triangulation.get_communicator());
     return loads.avg > 0. ? loads.max / loads.avg : 1.;
   }
@@ -365,42 +297,48 @@ namespace magmpm
   BackgroundMesh<dim>::~BackgroundMesh() = default;
 
   template <int dim>
-  bool
+  MeshAdaptation
   BackgroundMesh<dim>::adapt(const std::vector<Index<dim>> &local_blocks,
-                             const std::vector<unsigned int> &local_weights)
+                             const std::vector<unsigned int> &local_weights,
+                             const std::vector<Index<dim>> &local_approached)
   {
     Implementation &mesh = *implementation;
 
     // Every rank flags its own cells, so each has to know all blocks: 12 bytes per 512 particles.
-    std::vector<Index<dim>> blocks;
-    for (const auto &of_rank : dealii::Utilities::MPI::all_gather(the_communicator, local_blocks))
-      blocks.insert(blocks.end(), of_rank.begin(), of_rank.end());
+    std::vector<Index<dim>> blocks = of_all_ranks(the_communicator, local_blocks);
+    const auto weights             = of_all_ranks(the_communicator, local_weights);
     mesh.particles_in_block.clear();
-    std::size_t b = 0;
-    for (const auto &of_rank : dealii::Utilities::MPI::all_gather(the_communicator, local_weights))
-      for (const unsigned int weight : of_rank)
-        mesh.particles_in_block[block_key<dim>(blocks[b++])] += weight;
+    for (std::size_t b = 0; b < blocks.size(); ++b)
+      mesh.particles_in_block[block_key<dim>(blocks[b])] += weights[b];
 
-    const double tolerated_imbalance = 1.2;
-    const bool is_fine               = mesh.is_fine(dilated<dim>(blocks, 1));
-    const double imbalance           = mesh.imbalance();
-    if (is_fine && imbalance <= std::max(tolerated_imbalance, 1.1 * mesh.imbalance_after_partition))
-      return false;
+    // The first mesh counts as one that does not serve: no cell of it was dealt out by weight.
+    const bool is_fine = mesh.is_fine(dilated<dim>(blocks, 1)) && the_revision > 0;
+    MeshAdaptation result;
+    result.imbalance_before = mesh.imbalance();
+    result.imbalance        = result.imbalance_before;
+    // What the last partition could not balance, the next one will not either.
+    const double tolerated = std::max(the_parameters.imbalance_threshold,
+                                      1.1 * mesh.imbalance_after_partition);
+    result.is_rebalanced   = is_fine && result.imbalance_before > tolerated;
+    if (is_fine && !result.is_rebalanced)
+      return result;
 
     if (!is_fine)
       {
-        const int reach    = 1 + the_parameters.band_width;
-        const auto refined = mesh.ancestors(dilated<dim>(blocks, reach));
-        const auto kept    = mesh.ancestors(dilated<dim>(blocks, 2 * reach));
+        const auto approached = of_all_ranks(the_communicator, local_approached);
+        blocks.insert(blocks.end(), approached.begin(), approached.end());
+        const auto wanted = mesh.ancestors(dilated<dim>(blocks, 1 + the_parameters.band_width));
         // Coarsening only once, or 2:1 balance and coarsening could undo each other for ever.
-        mesh.refine_and_coarsen(refined, &kept);
-        while (mesh.refine_and_coarsen(refined, nullptr))
+        mesh.refine_and_coarsen(wanted, true);
+        while (mesh.refine_and_coarsen(wanted, false))
           ;
       }
     mesh.triangulation.repartition();
     mesh.imbalance_after_partition = mesh.imbalance();
+    result.imbalance               = mesh.imbalance_after_partition;
+    result.is_refined              = !is_fine;
     ++the_revision;
-    return true;
+    return result;
   }
 
   template <int dim>
@@ -409,16 +347,12 @@ namespace magmpm
   {
     // The first cell of a block in Morton order is the one at its lower corner; a point a quarter
     // of the smallest cell inside belongs to it however the block is refined.
-    const Index<dim> n_blocks = implementation->box.n_blocks();
     std::vector<dealii::Point<dim>> points(blocks.size());
     for (std::size_t b = 0; b < blocks.size(); ++b)
       {
-        Index<dim> node;
-        for (int d = 0; d < dim; ++d)
-          {
-            const int lowest = implementation->box.lower[d];
-            node[d] = block_edge * std::clamp(blocks[b][d], lowest, lowest + n_blocks[d] - 1);
-          }
+        Index<dim> node = implementation->box.nearest(blocks[b]);
+        for (int &coordinate : node)
+          coordinate *= block_edge;
         const Vector<dim> corner = the_lattice.node_position(node);
         for (int d = 0; d < dim; ++d)
           points[b][d] = corner[d] + 0.25 * the_lattice.spacing;

@@ -6,37 +6,91 @@
 
 namespace magmpm
 {
+  namespace
+  {
+    /** Collects blocks and counts particles in them. */
+    template <int dim>
+    class BlockCount
+    {
+    public:
+      explicit BlockCount(const bool with_force_margin)
+        : with_force_margin(with_force_margin)
+      {
+      }
+
+      /** A particle with this base node. */
+      void
+      add(Index<dim> node, const bool is_magnetic)
+      {
+        ++count_of(block_of<dim>(node));
+        if (with_force_margin && is_magnetic)
+          {
+            for (int &coordinate : node)
+              ++coordinate;
+            count_of(block_of<dim>(node));
+          }
+      }
+
+      OccupiedBlocks<dim>
+      sorted()
+      {
+        OccupiedBlocks<dim> occupied;
+        std::sort(blocks.begin(), blocks.end());
+        for (const Index<dim> &block : blocks)
+          occupied.n_particles.push_back(counts[block_key<dim>(block)]);
+        occupied.blocks = std::move(blocks);
+        return occupied;
+      }
+
+    private:
+      unsigned int &
+      count_of(const Index<dim> &block)
+      {
+        const auto [entry, is_new] = counts.emplace(block_key<dim>(block), 0);
+        if (is_new)
+          blocks.push_back(block);
+        return entry->second;
+      }
+
+      const bool with_force_margin;
+      std::unordered_map<std::uint64_t, unsigned int> counts;
+      std::vector<Index<dim>> blocks;
+    };
+  } // namespace
+
   template <int dim>
   OccupiedBlocks<dim>
   occupied_blocks(const std::vector<Body<dim>> &bodies,
                   const Lattice<dim> &lattice,
                   const bool with_force_margin)
   {
-    std::unordered_map<std::uint64_t, unsigned int> counts;
-    OccupiedBlocks<dim> occupied;
-    const auto count = [&](const Index<dim> &node, const unsigned int n_particles) {
-      const Index<dim> block     = block_of<dim>(node);
-      const auto [entry, is_new] = counts.emplace(block_key<dim>(block), 0);
-      entry->second += n_particles;
-      if (is_new)
-        occupied.blocks.push_back(block);
-    };
+    BlockCount<dim> count(with_force_margin);
+    for (const Body<dim> &body : bodies)
+      for (std::size_t p = 0; p < body.particles.size(); ++p)
+        count.add(lattice.base_node(body.particles.position(p)), body.magnetic.is_magnetic());
+    return count.sorted();
+  }
+
+  template <int dim>
+  std::vector<Index<dim>>
+  approached_blocks(const std::vector<Body<dim>> &bodies,
+                    const Lattice<dim> &lattice,
+                    const double time,
+                    const bool with_force_margin)
+  {
+    BlockCount<dim> count(with_force_margin);
     for (const Body<dim> &body : bodies)
       for (std::size_t p = 0; p < body.particles.size(); ++p)
         {
-          Index<dim> node = lattice.base_node(body.particles.position(p));
-          count(node, 1);
-          if (with_force_margin && body.magnetic.is_magnetic())
-            {
-              for (int &coordinate : node)
-                ++coordinate;
-              count(node, 0);
-            }
+          const Vector<dim> way = time * body.particles.vector(ParticleProperty::velocity, p);
+          const int n_parts =
+            std::max(1, static_cast<int>(std::ceil(norm(way) / (block_edge * lattice.spacing))));
+          for (int part = 1; part <= n_parts; ++part)
+            count.add(lattice.base_node(body.particles.position(p) +
+                                        (static_cast<double>(part) / n_parts) * way),
+                      body.magnetic.is_magnetic());
         }
-    std::sort(occupied.blocks.begin(), occupied.blocks.end());
-    for (const Index<dim> &block : occupied.blocks)
-      occupied.n_particles.push_back(counts[block_key<dim>(block)]);
-    return occupied;
+    return count.sorted().blocks;
   }
 
   template <int dim>
@@ -71,9 +125,11 @@ namespace magmpm
     body.particles.reorder(order);
   }
 
-#define INSTANTIATE(dim)                                               \
-  template OccupiedBlocks<dim> occupied_blocks(                        \
-    const std::vector<Body<dim>> &, const Lattice<dim> &, const bool); \
+#define INSTANTIATE(dim)                                                             \
+  template std::vector<Index<dim>> approached_blocks<dim>(                           \
+    const std::vector<Body<dim>> &, const Lattice<dim> &, const double, const bool); \
+  template OccupiedBlocks<dim> occupied_blocks(                                      \
+    const std::vector<Body<dim>> &, const Lattice<dim> &, const bool);               \
   template void sort_into_blocks(const BlockSet<dim> &, const Lattice<dim> &, Body<dim> &);
 
   INSTANTIATE(2)

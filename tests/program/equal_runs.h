@@ -34,7 +34,8 @@ namespace magmpm::testing
   depends_on_ranks(const std::string &heading)
   {
     return is_wall_time(heading) || heading == "migrated particles" ||
-           heading == "fewest particles of a rank" || heading == "CG iterations" ||
+           heading == "fewest particles of a rank" || heading == "load imbalance [-]" ||
+           heading == "mesh changes" || heading == "CG iterations" ||
            heading.find("Newton residual") != std::string::npos;
   }
 

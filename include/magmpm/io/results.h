@@ -83,8 +83,7 @@ namespace magmpm
 
     /** The first lines of the log. */
     void
-    write_header(const std::vector<Body<dim>> &bodies,
-                 const unsigned long long n_potential_unknowns);
+    write_header(const RunState &state, const std::vector<Body<dim>> &bodies);
 
     /** particles.pvd, if the scene wants it. */
     void

@@ -39,6 +39,7 @@ namespace magmpm
       unsigned long n_particles        = 0;  ///< of all ranks
       unsigned long potential_unknowns = 0;  ///< 0: no magnetic material
       double memory                    = 0.; ///< in use, of all ranks [bytes]; 0: not known
+      double imbalance                 = 1.; ///< load of the most loaded rank over the mean
       std::vector<Body> bodies;
     };
 
@@ -79,6 +80,10 @@ namespace magmpm
     /** One line on a frame, with the wall time per frame and an estimate of what is left. */
     void
     frame(const Frame &frame);
+
+    /** The ranks share the work anew: load of the most loaded one over the mean, before and now. */
+    void
+    rebalanced(const double imbalance_before, const double imbalance);
 
     /** A line of its own, for what is worth knowing once. */
     void

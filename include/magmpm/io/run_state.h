@@ -25,6 +25,8 @@ namespace magmpm
     std::size_t held_particles     = 0; ///< put back onto walls so far, all ranks
     std::size_t migrated_particles = 0; ///< so far, all ranks
 
+    unsigned int mesh_changes = 0; ///< so far
+    double imbalance = 1.;         ///< load of the most loaded rank over the mean, at the last sort
     double density_error = 0.; ///< mean |J - J of the lattice| of fluids, at the last relaxation
 
     double max_speed = 0.; ///< of a particle in the last step [m/s]
@@ -57,6 +59,8 @@ namespace magmpm
       archive &lost_particles;
       archive &held_particles;
       archive &migrated_particles;
+      archive &mesh_changes;
+      archive &imbalance;
       archive &density_error;
       archive &max_speed;
       archive &n_solves;

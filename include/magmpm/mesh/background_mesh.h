@@ -16,6 +16,21 @@ namespace dealii::parallel::distributed
 
 namespace magmpm
 {
+  /** What BackgroundMesh::adapt() found and did. */
+  struct MeshAdaptation
+  {
+    bool is_refined         = false; ///< the cells are others now; so may be their owners
+    bool is_rebalanced      = false; ///< only the owners of cells are others
+    double imbalance_before = 1.;    ///< load of the most loaded rank over the mean
+    double imbalance        = 1.;    ///< the same now
+
+    bool
+    is_change() const
+    {
+      return is_refined || is_rebalanced;
+    }
+  };
+
   /**
    * The p4est mesh of the potential box, aligned with the lattice. Where material is, cells have an
    * edge of 2 dx, so that the support points of FE_Q(2) are the lattice nodes, or of dx; they coarsen
@@ -38,16 +53,18 @@ namespace magmpm
     ~BackgroundMesh();
 
     /**
-     * Refines around the blocks that all ranks give and coarsens far from them, with hysteresis; a
-     * mesh that already serves is left alone. Then spreads the cells over the ranks by weight.
-     * Collective.
+     * Makes all blocks around those that the ranks give fine, and spreads the cells over the ranks by
+     * weight. A mesh that serves already is left alone unless the load is too uneven; if it does not
+     * serve, it is also refined where material will soon be, and coarsened everywhere else. Collective.
      *
-     * @param blocks   blocks with material, of this rank's particles (any owner).
-     * @param weights  particles in each of them.
-     * @return whether the mesh or its partition changed.
+     * @param blocks      blocks with material, of this rank's particles (any owner).
+     * @param weights     particles in each of them.
+     * @param approached  blocks that will have material before the mesh should have to change again.
      */
-    bool
-    adapt(const std::vector<Index<dim>> &blocks, const std::vector<unsigned int> &weights);
+    MeshAdaptation
+    adapt(const std::vector<Index<dim>> &blocks,
+          const std::vector<unsigned int> &weights,
+          const std::vector<Index<dim>> &approached = {});
 
     /**
      * Owner rank of each block. Blocks outside the box belong to the owner of the nearest inside.

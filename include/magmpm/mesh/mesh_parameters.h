@@ -20,10 +20,10 @@ namespace magmpm
     /** Edge of the cells where material is, in dx: 2 or 1. */
     int cell_edge = 2;
 
-    /**
-     * Cells are fine in the active blocks and this many blocks further, where the mesh changes; then
-     * they stay until the active blocks are twice as far.
-     */
+    /** Cells are fine in the active blocks and, when the mesh changes, this many blocks further. */
     int band_width = 0;
+
+    /** Load of the most loaded rank over the mean above which cells and particles are dealt out anew. */
+    double imbalance_threshold = 1.2;
   };
 } // namespace magmpm

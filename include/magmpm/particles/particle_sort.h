@@ -31,6 +31,19 @@ namespace magmpm
                   const bool with_force_margin = false);
 
   /**
+   * The blocks of the base nodes that particles will have in @p time [s] if they fly on as they do, and
+   * of those on the way, four cells apart at most. For the mesh, which looks ahead.
+   *
+   * @param with_force_margin  as above.
+   */
+  template <int dim>
+  std::vector<Index<dim>>
+  approached_blocks(const std::vector<Body<dim>> &bodies,
+                    const Lattice<dim> &lattice,
+                    const double time,
+                    const bool with_force_margin = false);
+
+  /**
    * Brings the particles of a body into the order of the blocks' slots, within a block into that of
    * the cells, and notes the runs. All particles must lie in owned blocks.
    */

@@ -1,0 +1,20 @@
+#pragma once
+
+namespace magmpm::benchmarks
+{
+  /** Errors of the pressure over rho g H. */
+  struct HydrostaticErrors
+  {
+    double inside;     ///< the largest of all layers but the one on the floor
+    double floor_cell; ///< of the layer on the floor, with its sign
+  };
+
+  /**
+   * Pressure in a fluid at rest between slip walls: in each layer one cell thick, the mean of
+   * p = K (1 - J) over its particles against the weight of what is above the middle of the layer.
+   *
+   * @param cells  of the lattice over the depth H of the fluid.
+   */
+  HydrostaticErrors
+  hydrostatic_errors(const int cells);
+} // namespace magmpm::benchmarks
