@@ -29,7 +29,7 @@ def elastic_factor(factor):
     return [f"Time step/Elastic factor={factor}"]
 
 
-FIXED_STEP = ["Time step/Time step=5e-5"]
+FIXED_STEP = ["Time step/Time step=5e-5", "Time step/Allow unstable time step=true"]
 
 
 def groups(n_cells, finest):

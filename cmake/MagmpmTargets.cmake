@@ -1,14 +1,18 @@
-# The targets: magmpm_options (how everything is compiled), magmpm_kernels (files that know nothing
+# The targets: magmpm_options (how everything is compiled; of it magmpm_portable_options for every
+# processor), magmpm_kernels (files that know nothing
 # of deal.II), magmpm_core (everything else but main), magmpm (the program).
 
 # --- How everything is compiled --------------------------------------------------------------
 
-add_library(magmpm_options INTERFACE)
-target_include_directories(magmpm_options INTERFACE ${PROJECT_SOURCE_DIR}/include)
+add_library(magmpm_portable_options INTERFACE)
+target_include_directories(magmpm_portable_options INTERFACE ${PROJECT_SOURCE_DIR}/include)
 # -Wno-psabi: GCC's note that passing 64-byte vectors differs from GCC 4, said at every use.
 # -ffp-contract=fast: ISO mode would otherwise turn fused multiply-add off.
-target_compile_options(magmpm_options INTERFACE -Wall -Wextra -Wno-psabi -ffp-contract=fast)
-target_link_options(magmpm_options INTERFACE -Wl,--as-needed)
+target_compile_options(magmpm_portable_options INTERFACE -Wall -Wextra -Wno-psabi
+                                                         -ffp-contract=fast)
+target_link_options(magmpm_portable_options INTERFACE -Wl,--as-needed)
+add_library(magmpm_options INTERFACE)
+target_link_libraries(magmpm_options INTERFACE magmpm_portable_options)
 if(MAGMPM_NATIVE)
   # The processor becomes part of each command line, so that on another one (a build folder or a
   # ccache shared by machines) everything is compiled anew.
@@ -23,9 +27,9 @@ if(MAGMPM_NATIVE)
                                                   -DMAGMPM_PROCESSOR=0x${native_processor})
 endif()
 if(MAGMPM_SANITIZE)
-  target_compile_options(magmpm_options INTERFACE -fsanitize=${MAGMPM_SANITIZE}
-                                                  -fno-omit-frame-pointer -g)
-  target_link_options(magmpm_options INTERFACE -fsanitize=${MAGMPM_SANITIZE})
+  target_compile_options(magmpm_portable_options INTERFACE -fsanitize=${MAGMPM_SANITIZE}
+                                                           -fno-omit-frame-pointer -g)
+  target_link_options(magmpm_portable_options INTERFACE -fsanitize=${MAGMPM_SANITIZE})
 endif()
 
 # deal.II as a target that carries its include folders, definitions and libraries, but not the
@@ -105,6 +109,13 @@ endif()
 target_link_libraries(magmpm_core ${core_scope} magmpm_options magmpm_kernels magmpm_deal_ii
                                                 ${MueLu_LIBRARIES} ${Belos_LIBRARIES}
                                                 MPI::MPI_CXX ${VTK_LIBRARIES})
+
+# These evaluate the laws of the medium in SIMD lanes, which sqrt leaves where it may set errno.
+foreach(file magnetics/magnetic_force magnetics/material_points magnetics/potential_residual
+             particles/particle_sums)
+  set_source_files_properties(${PROJECT_SOURCE_DIR}/source/${file}.cc PROPERTIES
+                              COMPILE_OPTIONS -fno-math-errno)
+endforeach()
 
 if(EXISTS ${PROJECT_SOURCE_DIR}/source/main.cc)
   add_executable(magmpm source/main.cc)

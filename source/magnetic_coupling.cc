@@ -4,7 +4,7 @@
 #include <magmpm/magnetic_coupling.h>
 #include <magmpm/magnetics/potential_problem.h>
 #include <magmpm/particles/carried_force.h>
-#include <magmpm/particles/particle_grid_transfer.h>
+#include <magmpm/particles/magnetic_transfer.h>
 #include <magmpm/particles/particle_sums.h>
 
 #include <algorithm>

@@ -1,5 +1,4 @@
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/mpi.templates.h>
 #include <deal.II/base/timer.h>
 #include <deal.II/base/utilities.h>
 
@@ -9,10 +8,9 @@
 #include <magmpm/io/number_text.h>
 #include <magmpm/io/parameter_changes.h>
 #include <magmpm/magnetic_coupling.h>
+#include <magmpm/particle_reductions.h>
 #include <magmpm/particles/seeding.h>
 #include <magmpm/simulation.h>
-
-#include <boost/serialization/utility.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -51,23 +49,6 @@ namespace magmpm
         open[face] = (walls.condition[face] == WallCondition::open);
       return open;
     }
-
-    std::optional<RunRecord>
-    unpacked(const std::optional<Checkpoint> &checkpoint)
-    {
-      if (!checkpoint)
-        return {};
-      return dealii::Utilities::unpack<RunRecord>(checkpoint->run, false);
-    }
-
-    std::string
-    listed(const std::vector<std::string> &lines)
-    {
-      std::string text;
-      for (const std::string &line : lines)
-        text += "\n  " + line;
-      return text;
-    }
   } // namespace
 
   template <int dim>
@@ -76,7 +57,7 @@ namespace magmpm
                               const std::optional<Checkpoint> &checkpoint)
     : parameters(parameters)
     , communicator(communicator)
-    , resumed(unpacked(checkpoint))
+    , resumed(run_record_of(checkpoint))
     , results(parameters, phases, communicator, resumed ? &resumed->progress : nullptr)
     , timer(std::make_unique<dealii::TimerOutput>(results.log().stream(),
                                                   dealii::TimerOutput::never,
@@ -249,7 +230,7 @@ namespace magmpm
 
     // What limits the first step is not known from a step before it.
     std::vector<ParticleExtremes> extremes;
-    for (const ParticleSums<dim> &sums : sums_of_bodies())
+    for (const ParticleSums<dim> &sums : sums_over_ranks(bodies, parameters, communicator))
       {
         const Body<dim> &body = bodies[extremes.size()];
         extremes.push_back({sums.max_speed,
@@ -317,7 +298,7 @@ namespace magmpm
     magnetics->solve(bodies, state); // Eqs. (25)-(33)
     step_conditions.magnetic_wave_speed = 0.;
     step_conditions.acceleration        = norm(parameters.gravity);
-    for (const ParticleSums<dim> &sums : sums_of_bodies())
+    for (const ParticleSums<dim> &sums : sums_over_ranks(bodies, parameters, communicator))
       {
         step_conditions.magnetic_wave_speed = std::max(step_conditions.magnetic_wave_speed,
                                                        sums.max_magnetic_wave_speed);
@@ -362,26 +343,11 @@ namespace magmpm
       n_held += hold_at_walls(decomposition->blocks(), parameters.lattice, open, body);
     state.held_particles += dealii::Utilities::MPI::sum(n_held, communicator);
 
-    // The largest of all ranks, in one exchange.
-    constexpr int n_extremes = sizeof(ParticleExtremes) / sizeof(double);
-    std::vector<double> largest;
-    for (const ParticleExtremes &e : extremes)
-      largest.insert(largest.end(),
-                     {e.speed,
-                      e.signal_speed,
-                      e.affine_velocity,
-                      e.max_volume_ratio,
-                      e.max_inverse_volume_ratio});
-    largest.push_back(static_cast<double>(control.request()));
-    dealii::Utilities::MPI::max(largest, communicator, largest);
-    request      = static_cast<RunControl::Request>(largest.back());
+    request = static_cast<RunControl::Request>(
+      maximize_over_ranks(extremes, static_cast<double>(control.request()), communicator));
     double speed = 0.;
-    for (std::size_t b = 0; b < extremes.size(); ++b)
-      {
-        const double *e = &largest[n_extremes * b];
-        extremes[b]     = {e[0], e[1], e[2], e[3], e[4]};
-        speed           = std::max(speed, e[0]);
-      }
+    for (const ParticleExtremes &e : extremes)
+      speed = std::max(speed, e.speed);
     drift_since_sort += state.time_step * speed;
     state.drift_since_solve += state.time_step * speed;
     state.path_since_solve += state.time_step * speed;
@@ -408,24 +374,6 @@ namespace magmpm
           std::max(conditions.kinematic_viscosity,
                    extremes[b].max_volume_ratio * viscosity_over_density(bodies[b]));
       }
-  }
-
-  template <int dim>
-  std::vector<ParticleSums<dim>>
-  Simulation<dim>::sums_of_bodies() const
-  {
-    std::vector<ParticleSums<dim>> sums;
-    for (const Body<dim> &body : bodies)
-      sums.push_back(
-        particle_sums(body, parameters.lattice, parameters.gravity, parameters.magnetics.law));
-    using Sums = std::vector<ParticleSums<dim>>;
-    return dealii::Utilities::MPI::all_reduce<Sums>(
-      sums, communicator, [](const Sums &one, const Sums &other) {
-        Sums both = one;
-        for (std::size_t b = 0; b < both.size(); ++b)
-          both[b] += other[b];
-        return both;
-      });
   }
 
   template <int dim>
@@ -456,7 +404,7 @@ namespace magmpm
     for (const Body<dim> &body : bodies)
       n_particles += static_cast<double>(body.particles.size());
     results.write_statistics(state,
-                             sums_of_bodies(),
+                             sums_over_ranks(bodies, parameters, communicator),
                              dealii::Utilities::MPI::min(n_particles, communicator),
                              timer->get_summary_data(dealii::TimerOutput::total_wall_time));
   }
@@ -468,20 +416,11 @@ namespace magmpm
     dealii::TimerOutput::Scope timed(*timer, "Checkpoint");
     // The run goes on as a run resumed from here will.
     set_up_decomposition();
-    Checkpoint checkpoint;
-    checkpoint.version    = version_string();
-    checkpoint.parameters = parameters.complete_text;
-    checkpoint.run = dealii::Utilities::pack(RunRecord{state, step_conditions, results.progress()},
-                                             false);
-    for (const Body<dim> &body : bodies)
-      {
-        checkpoint.particles.emplace_back();
-        for (std::size_t p = 0; p < body.particles.size(); ++p)
-          body.particles.append_record(p, checkpoint.particles.back());
-      }
+    const RunRecord record = {state, step_conditions, results.progress()};
     try
       {
-        checkpoints.write("step-" + dealii::Utilities::int_to_string(state.step, 10), checkpoint);
+        checkpoints.write("step-" + dealii::Utilities::int_to_string(state.step, 10),
+                          make_checkpoint(record, parameters.complete_text, bodies));
       }
     catch (const RunError &error)
       {
@@ -498,12 +437,7 @@ namespace magmpm
   void
   Simulation<dim>::restore(const Checkpoint &checkpoint)
   {
-    const ParameterChanges changes = parameter_changes(parameters.complete_text,
-                                                       checkpoint.parameters);
-    if (!changes.critical.empty())
-      throw InputError(
-        "this run cannot be resumed with other parameters of what its particles are:" +
-        listed(changes.critical) + "\nPut these back, or start the run anew, without --resume.");
+    const std::string changes = check_resumable(parameters.complete_text, checkpoint.parameters);
 
     state           = resumed->state;
     step_conditions = resumed->step_conditions;
@@ -516,8 +450,8 @@ namespace magmpm
     results.write_header(state, bodies);
     results.log().message("resumed at frame " + std::to_string(state.frame) +
                           ", t = " + three_digits(state.time) + " s, from " + checkpoints.latest());
-    if (!changes.allowed.empty())
-      results.log().message("parameters changed since the checkpoint:" + listed(changes.allowed));
+    if (!changes.empty())
+      results.log().message("parameters changed since the checkpoint:" + changes);
     if (checkpoint.version != version_string())
       results.log().warning("the checkpoint was written by another program: " + checkpoint.version);
   }

@@ -1,6 +1,7 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/timer.h>
 
+#include <magmpm/particles/magnetic_transfer.h>
 #include <magmpm/particles/particle_grid_transfer.h>
 #include <magmpm/particles/particle_migration.h>
 

@@ -1,8 +1,14 @@
 #pragma once
 
+#include <magmpm/io/checkpoint.h>
 #include <magmpm/io/results.h>
 #include <magmpm/io/run_state.h>
+#include <magmpm/particles/body.h>
 #include <magmpm/time_step_control.h>
+
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace magmpm
 {
@@ -22,4 +28,20 @@ namespace magmpm
       archive &progress;
     }
   };
+
+  /**
+   * The checkpoint of a run.
+   *
+   * @param parameters  Parameters::complete_text
+   * @param bodies      with this rank's particles.
+   */
+  template <int dim>
+  Checkpoint
+  make_checkpoint(const RunRecord &record,
+                  const std::string &parameters,
+                  const std::vector<Body<dim>> &bodies);
+
+  /** The record in a checkpoint; nothing without one. */
+  std::optional<RunRecord>
+  run_record_of(const std::optional<Checkpoint> &checkpoint);
 } // namespace magmpm

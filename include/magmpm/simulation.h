@@ -101,10 +101,6 @@ namespace magmpm
     void
     update_step_conditions(const std::vector<ParticleExtremes> &extremes);
 
-    /** Sums of each body over all ranks. */
-    std::vector<ParticleSums<dim>>
-    sums_of_bodies() const;
-
     double
     time_of_next_frame() const; ///< or of the end [s]
 

@@ -1,11 +1,10 @@
 #include <magmpm/base/constants.h>
 #include <magmpm/base/exceptions.h>
 #include <magmpm/io/field_output.h>
-#include <magmpm/io/output_patches.h>
+#include <magmpm/io/vtu_file.h>
 #include <magmpm/magnetics/material_points.h>
 #include <magmpm/magnetics/potential_space.h>
 
-#include <deal.II/base/data_out_base.h>
 #include <deal.II/base/mpi.h>
 #include <deal.II/fe/fe_tools.h>
 
@@ -48,26 +47,42 @@ namespace magmpm
       return list;
     }
 
-    /** Writes the components of one quantity. */
+    /** One quantity at all nodes, in single precision; vectors get a third component in 2D. */
     template <int dim>
-    void
-    evaluate(const std::string &quantity, const NodeValues<dim> &at, double *components)
+    VtuQuantity
+    written_quantity(const Quantity &quantity, const std::vector<NodeValues<dim>> &nodes)
     {
-      const auto put = [components](const Vector<dim> &vector) {
-        std::copy_n(vector.values, dim, components);
+      VtuQuantity written = {
+        quantity.name + " [" + quantity.unit + "]", quantity.is_vector ? 3 : 1, {}};
+      written.values.assign(written.n_components * nodes.size(), 0.f);
+      const auto scalars = [&](const auto &value) {
+        for (std::size_t i = 0; i < nodes.size(); ++i)
+          written.values[i] = static_cast<float>(value(nodes[i]));
       };
-      if (quantity == "potential")
-        components[0] = at.potential;
-      else if (quantity == "H_int")
-        put(at.self_field);
-      else if (quantity == "H")
-        put(at.field);
-      else if (quantity == "M")
-        put(at.magnetization);
-      else if (quantity == "B")
-        put(constants::vacuum_permeability * (at.field + at.magnetization));
-      else if (quantity == "number_density")
-        components[0] = at.number_density;
+      const auto vectors = [&](const auto &value) {
+        for (std::size_t i = 0; i < nodes.size(); ++i)
+          {
+            const Vector<dim> vector = value(nodes[i]);
+            for (int d = 0; d < dim; ++d)
+              written.values[3 * i + d] = static_cast<float>(vector[d]);
+          }
+      };
+      using Node = NodeValues<dim>;
+      if (quantity.name == "potential")
+        scalars([](const Node &at) { return at.potential; });
+      else if (quantity.name == "H_int")
+        vectors([](const Node &at) { return at.self_field; });
+      else if (quantity.name == "H")
+        vectors([](const Node &at) { return at.field; });
+      else if (quantity.name == "M")
+        vectors([](const Node &at) { return at.magnetization; });
+      else if (quantity.name == "B")
+        vectors([](const Node &at) {
+          return constants::vacuum_permeability * (at.field + at.magnetization);
+        });
+      else if (quantity.name == "number_density")
+        scalars([](const Node &at) { return at.number_density; });
+      return written;
     }
 
     /** Derivatives of the shape functions of FE_Q(2) at its nodes on [0, 1]: (node, function). */
@@ -244,74 +259,84 @@ namespace magmpm
       }
     };
 
-    /** The cells of this rank in the form deal.II writes. */
+    /** The 2^dim parts of a cell, with its nodes (lexicographic) as corners in the order of VTK. */
     template <int dim>
-    class FieldPatches : public OutputPatches<dim, dim>
+    std::array<std::array<int, power(2, dim)>, power(2, dim)>
+    parts_of_cell()
+    {
+      constexpr int corners[8] = {0, 1, 3, 2, 4, 5, 7, 6}; // around the lower face, then the upper
+      std::array<std::array<int, power(2, dim)>, power(2, dim)> parts = {};
+      for (int part = 0; part < power(2, dim); ++part)
+        for (int c = 0; c < power(2, dim); ++c)
+          for (int d = 0; d < dim; ++d)
+            parts[part][c] += power(3, d) * (((part >> d) & 1) + ((corners[c] >> d) & 1));
+      return parts;
+    }
+
+    /** The mesh of this rank, each cell cut in 2^dim, whose points are the nodes of FE_Q(2). */
+    template <int dim>
+    class NodeGrid
     {
     public:
-      FieldPatches(const PotentialSpace<dim> &space,
-                   const NodalFields<dim> &fields,
-                   const std::vector<std::string> &selection);
+      explicit NodeGrid(const NodalFields<dim> &fields, const PotentialSpace<dim> &space);
+
+      /** Points and cells. */
+      VtuPiece piece;
+
+      /** What is known at the points. */
+      std::vector<NodeValues<dim>> values;
 
     private:
-      using Patch = typename OutputPatches<dim, dim>::Patch;
+      const NodalFields<dim> &fields;
+      const dealii::IndexSet &relevant_dofs;
+      std::vector<int> points; ///< number of the point, by relevant degree of freedom, or -1
 
-      template <typename Cell>
-      void
-      add_patch(const Cell &cell, const NodalFields<dim> &fields);
-
-      std::vector<Quantity> quantities;
+      int
+      point(const dealii::types::global_dof_index dof, const Vector<dim> &position);
     };
 
     template <int dim>
-    FieldPatches<dim>::FieldPatches(const PotentialSpace<dim> &space,
-                                    const NodalFields<dim> &fields,
-                                    const std::vector<std::string> &selection)
+    NodeGrid<dim>::NodeGrid(const NodalFields<dim> &fields, const PotentialSpace<dim> &space)
+      : fields(fields)
+      , relevant_dofs(space.relevant_dofs)
+      , points(space.relevant_dofs.n_elements(), -1)
     {
-      for (const Quantity &quantity : all_quantities())
-        if (std::count(selection.begin(), selection.end(), quantity.name) > 0)
-          {
-            this->add_quantity(quantity.name, quantity.unit, quantity.is_vector ? dim : 1);
-            quantities.push_back(quantity);
-          }
-
+      constexpr int quadrilateral = 9, hexahedron = 12; // VTK's numbers
+      piece.points_per_cell = power(2, dim);
+      piece.cell_type       = (dim == 2 ? quadrilateral : hexahedron);
+      const auto parts      = parts_of_cell<dim>();
       for (const auto &cell : space.dof_handler.active_cell_iterators())
         if (cell->is_locally_owned())
-          add_patch(cell, fields);
+          {
+            const auto dofs        = fields.dofs_of(cell);
+            const double half_edge = 0.5 * cell->extent_in_direction(0);
+            std::array<int, n_cell_nodes<dim>> nodes;
+            for (int node = 0; node < n_cell_nodes<dim>; ++node)
+              {
+                Vector<dim> position;
+                for (int d = 0; d < dim; ++d)
+                  position[d] = cell->vertex(0)[d] + half_edge * place(node, d);
+                nodes[node] = point(dofs[node], position);
+              }
+            for (const auto &part : parts)
+              for (const int node : part)
+                piece.cells.push_back(nodes[node]);
+          }
     }
 
     template <int dim>
-    template <typename Cell>
-    void
-    FieldPatches<dim>::add_patch(const Cell &cell, const NodalFields<dim> &fields)
+    int
+    NodeGrid<dim>::point(const dealii::types::global_dof_index dof, const Vector<dim> &position)
     {
-      Patch patch;
-      patch.patch_index    = this->patches.size();
-      patch.n_subdivisions = potential_degree;
-      patch.reference_cell = dealii::ReferenceCells::get_hypercube<dim>();
-      for (const unsigned int v : cell->vertex_indices())
-        patch.vertices[v] = cell->vertex(v);
-
-      const auto dofs   = fields.dofs_of(cell);
-      const double edge = cell->extent_in_direction(0);
-      patch.data.reinit(this->n_components(), n_cell_nodes<dim>);
-      for (int node = 0; node < n_cell_nodes<dim>; ++node)
+      int &number = points[relevant_dofs.index_within_set(dof)];
+      if (number < 0)
         {
-          Vector<dim> position;
-          for (int d = 0; d < dim; ++d)
-            position[d] = cell->vertex(0)[d] + 0.5 * edge * place(node, d);
-          const NodeValues<dim> values = fields(dofs[node], position);
-
-          unsigned int row = 0;
-          for (const Quantity &quantity : quantities)
-            {
-              double components[dim];
-              evaluate(quantity.name, values, components);
-              for (int c = 0; c < (quantity.is_vector ? dim : 1); ++c)
-                patch.data(row++, node) = static_cast<float>(components[c]);
-            }
+          number = static_cast<int>(values.size());
+          values.push_back(fields(dof, position));
+          for (int d = 0; d < 3; ++d)
+            piece.points.push_back(d < dim ? static_cast<float>(position[d]) : 0.f);
         }
-      this->patches.push_back(patch);
+      return number;
     }
   } // namespace
 
@@ -367,22 +392,15 @@ namespace magmpm
                                 const ExternalField<dim> &sources)
   {
     const NodalFields<dim> fields(potential, sources);
-    FieldPatches<dim> output(*potential.solution().space, fields, quantities);
+    NodeGrid<dim> grid(fields, *potential.solution().space);
+    for (const Quantity &quantity : all_quantities())
+      if (std::count(quantities.begin(), quantities.end(), quantity.name) > 0)
+        grid.piece.quantities.push_back(written_quantity(quantity, grid.values));
 
-    // best_compression, deal.II's default, takes several times as long for a few percent of space.
-    dealii::DataOutBase::VtkFlags flags;
-    flags.time                = time;
-    flags.cycle               = frame;
-    flags.print_date_and_time = false; // equal runs, equal files
-    flags.compression_level   = dealii::DataOutBase::VtkFlags::best_speed;
-    output.set_flags(flags);
-
-    const unsigned int n_digits = 4;
-    const unsigned int n_groups = 1; // one file a frame, whatever the number of ranks
-    const std::string pvtu      = output.write_vtu_with_pvtu_record(
-      directory + "/" + subfolder + "/", subfolder, frame, communicator, n_digits, n_groups);
+    const std::string file =
+      write_vtu(communicator, directory + "/" + subfolder, subfolder, {frame, time}, grid.piece);
     if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-      record.add(time, subfolder + "/" + pvtu);
+      record.add(time, subfolder + "/" + file);
   }
 
   template class FieldOutput<2>;

@@ -1,3 +1,4 @@
+#include <magmpm/base/exceptions.h>
 #include <magmpm/io/parameter_changes.h>
 #include <magmpm/io/parameter_file.h>
 
@@ -26,6 +27,15 @@ namespace magmpm
       return path == "Dimension" || begins_with("Box/") || begins_with("Bodies/") ||
              begins_with("Materials/") || path == "Magnetics/Magnetization law";
     }
+
+    std::string
+    listed(const std::vector<std::string> &lines)
+    {
+      std::string text;
+      for (const std::string &line : lines)
+        text += "\n  " + line;
+      return text;
+    }
   } // namespace
 
   ParameterChanges
@@ -49,5 +59,16 @@ namespace magmpm
             .push_back(path + " = " + value_in(values_now) + ", was " + value_in(values_then));
       }
     return changes;
+  }
+
+  std::string
+  check_resumable(const std::string &now, const std::string &then)
+  {
+    const ParameterChanges changes = parameter_changes(now, then);
+    if (!changes.critical.empty())
+      throw InputError(
+        "this run cannot be resumed with other parameters of what its particles are:" +
+        listed(changes.critical) + "\nPut these back, or start the run anew, without --resume.");
+    return listed(changes.allowed);
   }
 } // namespace magmpm

@@ -1,4 +1,5 @@
 #include <magmpm/base/exceptions.h>
+#include <magmpm/base/simd.h>
 #include <magmpm/base/version.h>
 #include <magmpm/io/number_text.h>
 #include <magmpm/io/run_log.h>
@@ -132,7 +133,7 @@ namespace magmpm
   void
   RunLog::header(const Scene &scene)
   {
-    *both << version_string() << ", " << n_ranks << (n_ranks == 1 ? " rank" : " ranks") << '\n'
+    *both << version_string() << ", " << simd_instruction_set << ", " << n_ranks << (n_ranks == 1 ? " rank" : " ranks") << '\n'
           << "  " << scene.dimension
           << "D, lattice dx = " << with_prefix(scene.lattice_spacing, "m") << ", "
           << with_separators(scene.n_particles) << " particles, ";

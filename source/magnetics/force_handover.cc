@@ -1,6 +1,7 @@
 #include <magmpm/magnetics/force_handover.h>
 
 #include <algorithm>
+#include <array>
 
 namespace magmpm
 {
@@ -19,6 +20,47 @@ namespace magmpm
           action(slot, node);
     }
 
+    /** Where the 3^dim nodes around a node lie, for all nodes of a block. */
+    template <int dim>
+    class NeighbourNodes
+    {
+    public:
+      struct Place
+      {
+        int neighbour; ///< of the block, see BlockSet::neighbours()
+        int node;      ///< in that block
+      };
+      using Places = std::array<Place, n_neighbours<dim>>;
+
+      static const Places &
+      around(const int node)
+      {
+        static const NeighbourNodes table;
+        return table.places[node];
+      }
+
+    private:
+      std::array<Places, nodes_per_block<dim>> places;
+
+      NeighbourNodes()
+      {
+        for (int node = 0; node < nodes_per_block<dim>; ++node)
+          for (int n = 0; n < n_neighbours<dim>; ++n)
+            {
+              Place &place = places[node][n];
+              place        = {0, 0};
+              for (int d = 0, rest_node = node, rest = n; d < dim; ++d)
+                {
+                  const int along = rest_node % block_edge + rest % 3 - 1; // -1 .. 4
+                  place.neighbour += power(3, d) * (along < 0 ? 0 : (along < block_edge ? 1 : 2));
+                  place.node += power(block_edge, d) * ((along + block_edge) % block_edge);
+                  rest_node /= block_edge;
+                  rest /= 3;
+                }
+            }
+      }
+    };
+
     /** Calls action(slot, node) for the 3^dim nodes around a node (itself included) in active blocks. */
     template <int dim, typename Action>
     void
@@ -27,21 +69,10 @@ namespace magmpm
                         const int node,
                         const Action &action)
     {
-      for (int n = 0; n < n_neighbours<dim>; ++n)
-        {
-          int block = 0, other = 0;
-          for (int d = 0, rest_node = node, rest = n; d < dim; ++d)
-            {
-              const int place = rest_node % block_edge + rest % 3 - 1; // -1 .. 4
-              block += power(3, d) * (place < 0 ? 0 : (place < block_edge ? 1 : 2));
-              other += power(block_edge, d) * ((place + block_edge) % block_edge);
-              rest_node /= block_edge;
-              rest /= 3;
-            }
-          const int other_slot = blocks.neighbours(slot)[block];
-          if (other_slot != invalid_slot)
-            action(other_slot, other);
-        }
+      const auto &neighbours = blocks.neighbours(slot);
+      for (const auto &place : NeighbourNodes<dim>::around(node))
+        if (neighbours[place.neighbour] != invalid_slot)
+          action(neighbours[place.neighbour], place.node);
     }
 
     /** Distance from the nodes with mass, 0 .. n_layers, or outside; on ghosts too. */

@@ -8,6 +8,28 @@ namespace magmpm
 {
   namespace
   {
+    /** The vector of one of several points. */
+    template <int dim, typename Lanes>
+    Vector<dim>
+    lane_of(const Vector<dim, Lanes> &vectors, const int lane)
+    {
+      Vector<dim> vector;
+      for (int d = 0; d < dim; ++d)
+        vector[d] = vectors[d][lane];
+      return vector;
+    }
+
+    template <int dim, typename Lanes>
+    Matrix<dim>
+    lane_of(const Matrix<dim, Lanes> &matrices, const int lane)
+    {
+      Matrix<dim> matrix;
+      for (int i = 0; i < dim; ++i)
+        for (int j = 0; j < dim; ++j)
+          matrix(i, j) = matrices(i, j)[lane];
+      return matrix;
+    }
+
     /** h = -grad phi at the points of one cell. */
     template <int dim>
     using PointFields = std::array<Vector<dim>, n_points<dim>>;
@@ -53,38 +75,82 @@ namespace magmpm
       solution.potential.zero_out_ghost_values();
     }
 
-    /** h (x) (h + M) - |h|^2/2 I [A^2/m^2]: the first index is that of the force. */
-    template <int dim>
-    Matrix<dim>
-    self_stress(const Vector<dim> &h, const Vector<dim> &magnetization)
+    /** h (x) h - |h|^2/2 I [A^2/m^2]. */
+    template <int dim, typename Number>
+    Matrix<dim, Number>
+    vacuum_stress(const Vector<dim, Number> &h)
     {
-      return outer(h, h + magnetization) + (-0.5 * norm_square(h)) * identity<dim>();
+      return outer(h, h) + (-0.5 * norm_square(h)) * identity<dim, Number>();
     }
 
-    /** Its mean over the phases of a laminate, each with the fields of that phase. */
-    template <int dim>
-    Matrix<dim>
-    laminate_stress(const Vector<dim> &h,
-                    const LaminateResponse<dim> &medium,
-                    const double fraction)
+    /**
+     * h (x) (h + M) - |h|^2/2 I [A^2/m^2]: the first index is that of the force. The mean over the phases
+     * of a laminate, each with the fields of that phase.
+     */
+    template <int dim, typename Number>
+    Matrix<dim, Number>
+    laminate_stress(const Vector<dim, Number> &h,
+                    const LaminateResponse<dim, Number> &medium,
+                    const Number &fraction)
     {
-      if (!(fraction > 0.))
-        return self_stress(h, Vector<dim>());
-      const Vector<dim> inside  = h + (1. - fraction) * medium.jump;
-      const Vector<dim> outside = h - fraction * medium.jump;
-      return fraction * self_stress(inside, (1. / fraction) * medium.mean.magnetization) +
-             (1. - fraction) * self_stress(outside, Vector<dim>());
+      const Vector<dim, Number> inside  = h + (1. - fraction) * medium.jump;
+      const Vector<dim, Number> outside = h - fraction * medium.jump;
+      return fraction * vacuum_stress(inside) + outer(inside, medium.mean.magnetization) +
+             (1. - fraction) * vacuum_stress(outside);
     }
 
-    /** H in the material phase of a point: the sources' and the material's own [A/m]. */
+    /** What is tested by dN_i/dx_axis, by axis, and what is tested by N_i. */
+    template <int dim>
+    struct PointForces
+    {
+      std::array<PointValues<dim>, dim> stress = {};
+      PointValues<dim> body                    = {};
+
+      void
+      set_stress(const int q, const double factor, const Matrix<dim> &tensor)
+      {
+        for (int axis = 0; axis < dim; ++axis)
+          for (int d = 0; d < dim; ++d)
+            stress[axis][q * n_lanes + d] = factor * tensor(d, axis);
+      }
+    };
+
+    /** The forces at the points of a cell with material, ready to be tested. */
+    template <int dim>
+    void
+    set_forces(const MaterialPoints<dim> &material,
+               const unsigned int first_point,
+               const PointFields<dim> &self_field,
+               const double inverse_spacing,
+               PointForces<dim> &forces)
+    {
+      material.for_batches(
+        first_point,
+        [&](const int q) { return self_field[q]; },
+        [&](const int first, const int n, const auto &batch) {
+          const auto tensors = laminate_stress(batch.self_field, batch.response, batch.fraction);
+          for (int lane = 0; lane < n; ++lane)
+            {
+              const int q         = first + lane;
+              const double weight = constants::vacuum_permeability * material.weight(q);
+              forces.set_stress(q, -weight * inverse_spacing, lane_of(tensors, lane));
+              const Vector<dim> density = material.source_gradient(first_point + q) *
+                                          lane_of(batch.response.mean.magnetization, lane);
+              for (int d = 0; d < dim; ++d)
+                forces.body[q * n_lanes + d] = weight * density[d];
+            }
+        });
+    }
+
+    /** H in the material phase: the sources' and the material's own [A/m]. */
     template <int dim>
     Vector<dim>
-    material_field(const MaterialPoints<dim> &material,
-                   const unsigned int point,
-                   const Vector<dim> &self_field)
+    material_field(const Vector<dim> &source_field,
+                   const typename MaterialPoints<dim>::Batch &batch,
+                   const int lane)
     {
-      return material.source_field(point) + self_field +
-             (1. - material.fraction(point)) * material.response(point, self_field).jump;
+      return source_field +
+             lane_of(batch.self_field + (1. - batch.fraction) * batch.response.jump, lane);
     }
 
     /** Calls action(slot, node) for all nodes of owned blocks. */
@@ -137,35 +203,21 @@ namespace magmpm
 
     for_active_cells(
       solution, material, [&](const unsigned int cell, const PointFields<dim> &self_field) {
-        // By axis of the derivative: what is tested by dN_i/dx_axis; and what is tested by N_i.
-        std::array<PointValues<dim>, dim> stress = {};
-        PointValues<dim> body                    = {};
-        const unsigned int first                 = material.first_point(cell);
-        for (int q = 0; q < n_points<dim>; ++q)
-          {
-            const double weight = constants::vacuum_permeability * material.weight(q);
-            Matrix<dim> tensor;
-            if (first == material.none)
-              tensor = self_stress(self_field[q], Vector<dim>());
-            else
-              {
-                const LaminateResponse<dim> medium = material.response(first + q, self_field[q]);
-                const double fraction              = material.fraction(first + q);
-                tensor                    = laminate_stress(self_field[q], medium, fraction);
-                const Vector<dim> density = material.source_gradient(first + q) *
-                                            medium.mean.magnetization;
-                for (int d = 0; d < dim; ++d)
-                  body[q * n_lanes + d] = weight * density[d];
-              }
-            for (int axis = 0; axis < dim; ++axis)
-              for (int d = 0; d < dim; ++d)
-                stress[axis][q * n_lanes + d] = -weight * inverse_spacing * tensor(d, axis);
-          }
+        PointForces<dim> forces;
+        const unsigned int first = material.first_point(cell);
+        if (first != material.none)
+          set_forces(material, first, self_field, inverse_spacing, forces);
+        else
+          for (int q = 0; q < n_points<dim>; ++q)
+            forces.set_stress(q,
+                              -constants::vacuum_permeability * material.weight(q) *
+                                inverse_spacing,
+                              vacuum_stress(self_field[q]));
         StencilValues<dim> nodes = {};
         for (int axis = 0; axis < dim; ++axis)
-          stencil.add_tested_by_derivative(stress[axis], axis, nodes);
+          stencil.add_tested_by_derivative(forces.stress[axis], axis, nodes);
         if (first != material.none)
-          stencil.add_tested(body, nodes);
+          stencil.add_tested(forces.body, nodes);
         stencil.scatter_add(nodes, blocks, material.slot(cell), material.corner(cell), force);
       });
 
@@ -193,14 +245,21 @@ namespace magmpm
         if (first == material.none)
           return;
         PointValues<dim> values = {};
-        for (int q = 0; q < n_points<dim>; ++q)
-          {
-            const double weight     = material.weight(q) * material.volume_fraction(first + q);
-            const Vector<dim> total = material_field(material, first + q, self_field[q]);
-            for (int d = 0; d < dim; ++d)
-              values[q * n_lanes + d] = weight * total[d];
-            values[q * n_lanes + n_lanes - 1] = weight;
-          }
+        material.for_batches(
+          first,
+          [&](const int q) { return self_field[q]; },
+          [&](const int first_of_batch, const int n, const auto &batch) {
+            for (int lane = 0; lane < n; ++lane)
+              {
+                const int q         = first_of_batch + lane;
+                const double weight = material.weight(q) * material.volume_fraction(first + q);
+                const Vector<dim> total =
+                  material_field(material.source_field(first + q), batch, lane);
+                for (int d = 0; d < dim; ++d)
+                  values[q * n_lanes + d] = weight * total[d];
+                values[q * n_lanes + n_lanes - 1] = weight;
+              }
+          });
         StencilValues<dim> nodes = {};
         stencil.add_tested(values, nodes);
         stencil.scatter_add(nodes, blocks, material.slot(cell), material.corner(cell), field);
@@ -227,13 +286,22 @@ namespace magmpm
         const unsigned int first = material.first_point(cell);
         if (first == material.none)
           return;
-        for (int q = 0; q < n_points<dim>; ++q)
-          samples[first + q] = {material.cell_position(cell) + material.point_position(q),
-                                material.weight(q),
-                                material.volume_fraction(first + q),
-                                material_field(material, first + q, self_field[q]),
-                                material.response(first + q, self_field[q]).mean.magnetization,
-                                material.fraction(first + q) * material.number_density(first + q)};
+        material.for_batches(
+          first,
+          [&](const int q) { return self_field[q]; },
+          [&](const int first_of_batch, const int n, const auto &batch) {
+            for (int lane = 0; lane < n; ++lane)
+              {
+                const int q              = first_of_batch + lane;
+                const unsigned int point = first + q;
+                samples[point] = {material.cell_position(cell) + material.point_position(q),
+                                  material.weight(q),
+                                  material.volume_fraction(point),
+                                  material_field(material.source_field(point), batch, lane),
+                                  lane_of(batch.response.mean.magnetization, lane),
+                                  material.fraction(point) * material.number_density(point)};
+              }
+          });
       });
     return samples;
   }

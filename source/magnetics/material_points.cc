@@ -165,6 +165,16 @@ namespace magmpm
   }
 
   template <int dim>
+  bool
+  MaterialPoints<dim>::has_surface(const Cell &cell) const
+  {
+    const auto first = points.begin() + cell.first_point;
+    return std::any_of(first, first + n_points<dim>, [](const Point &point) {
+      return point.fraction > 0. && point.fraction < nearly_full;
+    });
+  }
+
+  template <int dim>
   void
   MaterialPoints<dim>::set_normals(const Cell &cell)
   {
@@ -199,7 +209,8 @@ namespace magmpm
         the_stencil.gather(
           the_indicator.field(), partition.blocks(), cell.slot, cell.corner, nodes);
         the_stencil.interpolate(nodes, corrections);
-        set_normals(cell);
+        if (has_surface(cell))
+          set_normals(cell);
       }
 
     for (int q = 0; q < n_points<dim>; ++q)
@@ -223,12 +234,25 @@ namespace magmpm
         point.number_density                   = density * lanes[grains];
         point.field                            = sources.field(position);
         point.gradient                         = sources.field_gradient(position);
-
-        const double magnetization =
-          norm(response(cell.first_point + q, Vector<dim>()).mean.magnetization);
-        total_weight += weights[q] * magnetization;
-        first_moment += (weights[q] * magnetization) * position;
       }
+    add_magnetized_weight(cell);
+  }
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::add_magnetized_weight(const Cell &cell)
+  {
+    const auto no_self_field = [](const int) { return Vector<dim>(); };
+    for_batches(
+      cell.first_point, no_self_field, [&](const int first, const int n, const Batch &batch) {
+        const Lanes magnetization = norm(batch.response.mean.magnetization);
+        for (int lane = 0; lane < n; ++lane)
+          {
+            const double weight = weights[first + lane] * magnetization[lane];
+            total_weight += weight;
+            first_moment += weight * (cell.position + positions[first + lane]);
+          }
+      });
   }
 
   template class MaterialPoints<2>;

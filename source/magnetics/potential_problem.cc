@@ -47,6 +47,47 @@ namespace magmpm
       bool due                    = true;
       double iterations_per_digit = 0.;
     };
+
+    /**
+     * Where to start the next solve: the last two solutions continued, if their like was nearer to the
+     * last one than the one before it; otherwise the last one. Of one mesh.
+     */
+    class StartingGuess
+    {
+    public:
+      void
+      record(const PotentialVector &solution)
+      {
+        if (n_solutions > 1)
+          is_nearer = distance(solution, continued) < distance(solution, last);
+        if (n_solutions > 0)
+          {
+            continued = solution;
+            continued.sadd(2., -1., last);
+          }
+        last = solution;
+        ++n_solutions;
+      }
+
+      void
+      put_into(PotentialVector &potential) const
+      {
+        if (is_nearer)
+          potential = continued;
+      }
+
+    private:
+      int n_solutions = 0;
+      bool is_nearer  = false;
+      PotentialVector last, continued;
+
+      static double
+      distance(PotentialVector one, const PotentialVector &other)
+      {
+        one -= other;
+        return one.l2_norm();
+      }
+    };
   } // namespace
 
   template <int dim>
@@ -106,6 +147,7 @@ namespace magmpm
     PotentialOperator<dim, double> jacobian;
     std::unique_ptr<PotentialSolver<dim>> solver;
     RebuildRule rule;
+    StartingGuess start;
     bool has_rebuilt = false; ///< in this solve
   };
 
@@ -125,6 +167,7 @@ namespace magmpm
     jacobian.initialize(solution.space->matrix_free);
     solver = make_potential_solver<dim>(parameters.preconditioner, *solution.space);
     rule   = RebuildRule();
+    start  = StartingGuess();
   }
 
   template <int dim>
@@ -255,6 +298,7 @@ namespace magmpm
       problem.set_up();
     problem.set_state(content, sources);
     problem.has_rebuilt = false;
+    problem.start.put_into(potential);
 
     // The tolerance refers to the residual at zero potential, however good the start is.
     SolveReport report;
@@ -265,11 +309,13 @@ namespace magmpm
       potential = 0.;
 
     NewtonParameters newton;
-    newton.tolerance = problem.parameters.newton_tolerance * report.zero_residual;
-    newton.max_steps = problem.parameters.max_newton_steps;
-    newton.is_linear = problem.parameters.law == MagnetizationLaw::linear;
-    report.newton    = damped_newton<PotentialVector>(
+    newton.tolerance              = problem.parameters.newton_tolerance * report.zero_residual;
+    newton.max_steps              = problem.parameters.max_newton_steps;
+    newton.is_linear              = problem.parameters.law == MagnetizationLaw::linear;
+    newton.residual_without_start = report.zero_residual;
+    report.newton                 = damped_newton<PotentialVector>(
       problem, newton, potential, potential.all_zero() ? &residual : nullptr);
+    problem.start.record(potential);
 
     report.preconditioner_rebuilt = problem.has_rebuilt;
     report.energy                 = -constants::vacuum_permeability * problem.residual.energy();

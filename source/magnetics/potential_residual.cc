@@ -65,22 +65,28 @@ namespace magmpm
     if (first == material.none)
       return 0.;
 
-    double coenergy = 0.;
-    for (int q = 0; q < n_points<dim>; ++q)
-      {
-        Vector<dim> self_field;
-        for (int d = 0; d < dim; ++d)
-          self_field[d] = -fluxes[q][d][lane];
-        const MagneticResponse<dim> response = material.response(first + q, self_field).mean;
-
-        coenergy += response.coenergy * material.weight(q);
-        for (int i = 0; i < dim; ++i)
+    double coenergy       = 0.;
+    const auto self_field = [&fluxes, lane](const int q) {
+      Vector<dim> field;
+      for (int d = 0; d < dim; ++d)
+        field[d] = -fluxes[q][d][lane];
+      return field;
+    };
+    material.for_batches(
+      first, self_field, [&](const int first_of_batch, const int n, const auto &batch) {
+        const auto &mean = batch.response.mean;
+        for (int l = 0; l < n; ++l)
           {
-            fluxes[q][i][lane] -= response.magnetization[i];
-            for (int j = 0; j <= i; ++j)
-              tensors[first + q][i][j] = (i == j ? 1. : 0.) + response.tangent(i, j);
+            const int q = first_of_batch + l;
+            coenergy += mean.coenergy[l] * material.weight(q);
+            for (int i = 0; i < dim; ++i)
+              {
+                fluxes[q][i][lane] -= mean.magnetization[i][l];
+                for (int j = 0; j <= i; ++j)
+                  tensors[first + q][i][j] = (i == j ? 1. : 0.) + mean.tangent(i, j)[l];
+              }
           }
-      }
+      });
     return coenergy;
   }
 

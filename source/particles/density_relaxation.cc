@@ -10,13 +10,13 @@ namespace magmpm
   namespace
   {
     /** A node with less fluid around it than this is near a free surface. */
-    constexpr double least_fraction = 0.8;
+    constexpr double least_fraction = 0.9;
 
     /** The time in which J follows the lattice, in times of sound across a cell. */
     constexpr double relaxation_time = 3.;
 
-    /** Outweighs all nodes that are not at the surface, however small its own B-spline. */
-    constexpr double surface_weight = -1e30;
+    /** A particle with less fluid around it than this, itself included, is one of a spray. */
+    constexpr double spray_fraction = 0.4;
 
     template <int dim>
     const ViscoelasticFluid<dim> *
@@ -71,20 +71,27 @@ namespace magmpm
       return share;
     }
 
-    /** J of the lattice at a particle of @p block; 0 next to a free surface. */
-    template <int dim>
-    double
-    lattice_volume_ratio(const Lattice<dim> &lattice,
-                         const Index<dim> &block,
-                         const Vector<dim> &position,
-                         const double *arena)
+    /** What a particle of @p block has around it. */
+    struct Surroundings
     {
-      double fraction = 0., sum_of_weights = 0.;
+      double fraction;   ///< of fluid, in the part of its B-splines that is inside of the walls
+      bool near_surface; ///< of which one is free
+    };
+
+    template <int dim>
+    Surroundings
+    surroundings(const Lattice<dim> &lattice,
+                 const Index<dim> &block,
+                 const Vector<dim> &position,
+                 const double *arena)
+    {
+      double fraction = 0., inside = 0., surface = 0.;
       for_each_node<dim>(lattice, block, position, [&](const int place, const double weight) {
         fraction += weight * arena[place];
-        sum_of_weights += weight * arena[place + 1];
+        inside += weight * arena[place + 1];
+        surface += weight * arena[place + 2];
       });
-      return sum_of_weights > 0. && fraction > 0. ? sum_of_weights / fraction : 0.;
+      return {inside > 0. ? fraction / inside : 0., surface > 0. || inside == 0.};
     }
   } // namespace
 
@@ -140,7 +147,8 @@ namespace magmpm
           const double share =
             share_inside<dim>(lattice, open, node_of_block<dim>(blocks.block(slot), n));
           node[0] = (share > 0. ? node[0] / share : 0.);
-          node[1] = (share == 0. ? 0. : node[0] < least_fraction ? surface_weight : 1.);
+          node[1] = (share > 0.);
+          node[2] = (share > 0. && node[0] < least_fraction);
         }
   }
 
@@ -167,12 +175,16 @@ namespace magmpm
               arena.load(field, blocks, slot);
               for (std::size_t p = body.run_begin[slot]; p < body.run_begin[slot + 1]; ++p)
                 {
-                  const double target = lattice_volume_ratio<dim>(
+                  const Surroundings around = surroundings(
                     lattice, blocks.block(slot), body.particles.position(p), arena.data());
-                  if (target == 0.)
+                  if (around.near_surface && around.fraction >= spray_fraction)
                     continue;
-                  error.sum += std::abs(target - ratio[p]);
-                  error.n_particles += 1.;
+                  const double target = (around.near_surface ? 1. : 1. / around.fraction);
+                  if (!around.near_surface)
+                    {
+                      error.sum += std::abs(target - ratio[p]);
+                      error.n_particles += 1.;
+                    }
                   ratio[p] += way * (target - ratio[p]);
                 }
             }

@@ -10,9 +10,9 @@ namespace magmpm
   namespace
   {
     /** Twice the axial vector of the skew part: the curl of v = C x. */
-    template <int dim>
-    Vector<n_axial_components<dim>>
-    curl(const Matrix<dim> &c)
+    template <int dim, typename Number>
+    Vector<n_axial_components<dim>, Number>
+    curl(const Matrix<dim, Number> &c)
     {
       if constexpr (dim == 3)
         return {{c(2, 1) - c(1, 2), c(0, 2) - c(2, 0), c(1, 0) - c(0, 1)}};
@@ -21,80 +21,134 @@ namespace magmpm
     }
 
     /** M of grains that are spread over @p volume_ratio times their undeformed volume. */
-    template <int dim>
-    Vector<dim>
+    template <int dim, typename Number>
+    Vector<dim, Number>
     diluted_magnetization(const MagneticParameters &magnetic,
                           const MagnetizationLaw law,
-                          const double volume_ratio,
-                          const Vector<dim> &field)
+                          const Number volume_ratio,
+                          const Vector<dim, Number> &field)
     {
-      return magnetization(law,
-                           MagneticContent{magnetic.saturation_magnetization / volume_ratio,
-                                           magnetic.initial_susceptibility / volume_ratio},
-                           field);
+      return magnetization(
+        law,
+        MagneticContentOf<Number>{magnetic.saturation_magnetization / volume_ratio,
+                                  magnetic.initial_susceptibility / volume_ratio},
+        field);
     }
 
+    template <typename Number>
+    void
+    raise(Number &largest, const Number &value)
+    {
+      using std::max;
+      largest = max(largest, value);
+    }
+
+    template <typename Number>
+    void
+    lower(Number &smallest, const Number &value)
+    {
+      using std::max;
+      smallest = -max(-smallest, -value);
+    }
+
+    /** What the sums need beside the particles. */
     template <int dim>
+    struct Setting
+    {
+      double affine_factor; ///< dx^2/4 [m^2]
+      Vector<dim> gravity;
+      MagneticParameters magnetic;
+      MagnetizationLaw magnetization_law;
+    };
+
+    /** Adds the magnetics of the particles at @p place; extremes of speeds and fields are squares. */
+    template <int dim, typename Place, typename Number>
     void
     add_magnetics(const ParticleArrays<dim, const double> &particles,
-                  const MagneticParameters &magnetic,
-                  const MagnetizationLaw law,
-                  const double volume_ratio,
-                  const std::size_t p,
-                  ParticleSums<dim> &sums)
+                  const Setting<dim> &setting,
+                  const Number volume_ratio,
+                  const Place place,
+                  ParticleSums<dim, Number> &sums)
     {
-      const double mass               = particles.mass[p];
-      const double volume             = volume_ratio * particles.volume[p];
-      const Vector<dim> acceleration  = load_vector<dim>(particles.magnetic_acceleration, p);
-      const Vector<dim> field         = load_vector<dim>(particles.magnetic_field, p);
-      const Vector<dim> magnetization = diluted_magnetization(magnetic, law, volume_ratio, field);
-      const double strength           = norm(magnetization);
+      const Number mass       = load(particles.mass, place);
+      const Number volume     = volume_ratio * load(particles.volume, place);
+      const auto acceleration = load_vector<dim>(particles.magnetic_acceleration, place);
+      const auto field        = load_vector<dim>(particles.magnetic_field, place);
+      const auto magnetization =
+        diluted_magnetization(setting.magnetic, setting.magnetization_law, volume_ratio, field);
+      const Number square = norm_square(magnetization);
       sums.magnetic_force += mass * acceleration;
       sums.magnetic_moment += volume * magnetization;
-      sums.max_field                 = std::max(sums.max_field, norm(field));
-      sums.max_magnetization         = std::max(sums.max_magnetization, strength);
-      sums.max_magnetic_acceleration = std::max(sums.max_magnetic_acceleration, norm(acceleration));
-      sums.max_magnetic_wave_speed =
-        std::max(sums.max_magnetic_wave_speed,
-                 strength * std::sqrt(constants::vacuum_permeability * volume / mass));
+      raise(sums.max_field, norm_square(field));
+      raise(sums.max_magnetization, square);
+      raise(sums.max_magnetic_acceleration, norm_square(acceleration));
+      raise(sums.max_magnetic_wave_speed, constants::vacuum_permeability * square * volume / mass);
     }
 
-    /** Adds what one particle is and does. */
-    template <int dim, typename Law>
+    /** Adds what the particles at @p place are and do; extremes of speeds and fields are squares. */
+    template <int dim, typename Law, typename Place, typename Number>
     void
-    add_mechanics(const ParticleArrays<dim, const double> &particles,
+    add_particles(const ParticleArrays<dim, const double> &particles,
                   const Law &law,
-                  const typename Law::State &state,
-                  const double volume_ratio,
-                  const double affine_factor,
-                  const Vector<dim> &gravity,
-                  const std::size_t p,
-                  ParticleSums<dim> &sums)
+                  const Setting<dim> &setting,
+                  const Place place,
+                  ParticleSums<dim, Number> &sums)
     {
-      const double mass          = particles.mass[p];
-      const Vector<dim> position = load_vector<dim>(particles.position, p);
-      const Vector<dim> velocity = load_vector<dim>(particles.velocity, p);
-      const double square        = norm_square(velocity);
+      const auto state          = load_state<dim, Law>(particles, place);
+      const Number volume_ratio = law.volume_ratio(state);
+      const Number mass         = load(particles.mass, place);
+      const auto position       = load_vector<dim>(particles.position, place);
+      const auto velocity       = load_vector<dim>(particles.velocity, place);
+      const Number square       = norm_square(velocity);
       sums.n_particles += 1.;
       sums.mass += mass;
       sums.kinetic_energy += 0.5 * mass * square;
-      sums.elastic_energy += particles.volume[p] * law.energy_density(state);
-      sums.gravitational_energy -= mass * dot(gravity, position);
+      sums.elastic_energy += load(particles.volume, place) * law.energy_density(state);
+      for (int d = 0; d < dim; ++d)
+        sums.gravitational_energy -= mass * (setting.gravity[d] * position[d]);
       sums.momentum += mass * velocity;
       sums.mass_times_position += mass * position;
       sums.angular_momentum += mass * cross(position, velocity);
-      const Matrix<dim> affine = load_matrix<dim>(particles.affine_velocity, p);
-      sums.angular_momentum += (mass * affine_factor) * curl(affine);
-      sums.max_speed           = std::max(sums.max_speed, std::sqrt(square));
-      sums.max_affine_velocity = std::max(sums.max_affine_velocity, frobenius_norm(affine));
-      sums.min_volume_ratio    = std::min(sums.min_volume_ratio, volume_ratio);
-      sums.max_volume_ratio    = std::max(sums.max_volume_ratio, volume_ratio);
+      const auto affine = load_matrix<dim>(particles.affine_velocity, place);
+      sums.angular_momentum += (setting.affine_factor * mass) * curl(affine);
+      raise(sums.max_speed, square);
+      raise(sums.max_affine_velocity, frobenius_norm(affine));
+      lower(sums.min_volume_ratio, volume_ratio);
+      raise(sums.max_volume_ratio, volume_ratio);
+      if (setting.magnetic.is_magnetic())
+        add_magnetics(particles, setting, volume_ratio, place, sums);
+    }
+
+    template <int dim>
+    ParticleSums<dim>
+    lane_of(const ParticleSums<dim, SimdDouble> &sums, const int lane)
+    {
+      ParticleSums<dim> result;
+      static_assert(sizeof(sums) == SimdDouble::n_lanes * sizeof(result));
+      const auto *from = reinterpret_cast<const SimdDouble *>(&sums);
+      auto *to         = reinterpret_cast<double *>(&result);
+      for (std::size_t i = 0; i < sizeof(result) / sizeof(double); ++i)
+        to[i] = from[i][lane];
+      return result;
+    }
+
+    /** Takes the roots of what was summed as squares. */
+    template <int dim>
+    void
+    take_roots(ParticleSums<dim> &sums)
+    {
+      for (double *largest : {&sums.max_speed,
+                              &sums.max_field,
+                              &sums.max_magnetization,
+                              &sums.max_magnetic_acceleration,
+                              &sums.max_magnetic_wave_speed})
+        *largest = std::sqrt(*largest);
     }
   } // namespace
 
-  template <int dim>
-  ParticleSums<dim> &
-  ParticleSums<dim>::operator+=(const ParticleSums &other)
+  template <int dim, typename Number>
+  ParticleSums<dim, Number> &
+  ParticleSums<dim, Number>::operator+=(const ParticleSums &other)
   {
     n_particles += other.n_particles;
     mass += other.mass;
@@ -163,22 +217,26 @@ namespace magmpm
                 const Vector<dim> &gravity,
                 const MagnetizationLaw magnetization_law)
   {
-    const auto particles       = body.particles.arrays();
-    const double affine_factor = 0.25 * lattice.spacing * lattice.spacing;
+    constexpr std::size_t width = SimdDouble::n_lanes;
+    const auto particles        = body.particles.arrays();
+    const std::size_t n         = body.particles.size();
+    const Setting<dim> setting  = {
+       0.25 * lattice.spacing * lattice.spacing, gravity, body.magnetic, magnetization_law};
     ParticleSums<dim> sums;
     std::visit(
       [&](const auto &law) {
-        using Law = std::decay_t<decltype(law)>;
-        for (std::size_t p = 0; p < body.particles.size(); ++p)
-          {
-            const typename Law::State state = load_state<dim, Law>(particles, p);
-            const double volume_ratio       = law.volume_ratio(state);
-            add_mechanics(particles, law, state, volume_ratio, affine_factor, gravity, p, sums);
-            if (body.magnetic.is_magnetic())
-              add_magnetics(particles, body.magnetic, magnetization_law, volume_ratio, p, sums);
-          }
+        const auto law_of_lanes = law.template with_number<SimdDouble>();
+        ParticleSums<dim, SimdDouble> sums_of_lanes;
+        std::size_t p = 0;
+        for (; p + width <= n; p += width)
+          add_particles(particles, law_of_lanes, setting, FullLanes{p}, sums_of_lanes);
+        for (std::size_t lane = 0; lane < width; ++lane)
+          sums += lane_of(sums_of_lanes, lane);
+        for (; p < n; ++p)
+          add_particles(particles, law, setting, p, sums);
       },
       body.material);
+    take_roots(sums);
     return sums;
   }
 

@@ -252,3 +252,19 @@ TEST_CASE("a magnet cannot push a node through a wall", "[boundary]")
   CHECK(velocity[1] == 0.);
   CHECK(boundary.constrained({4, 1}, {{0.3, 0.7}})[1] == Approx(-1.).epsilon(1e-8));
 }
+
+TEST_CASE("an open face does nothing to a velocity", "[boundary]")
+{
+  // Out of the box and into it, on the face and beyond.
+  const ExternalField<2> no_sources({});
+  const LatticeBoundary<2> boundary(
+    test_lattice<2>(), all_walls<2>(WallCondition::open), no_sources);
+  for (int face = 0; face < 4; ++face)
+    for (const int beyond : {0, 1})
+      for (const double sign : {-1., 1.})
+        {
+          const Vector<2> velocity = some_velocity<2>(sign);
+          CHECK(norm(boundary.constrained(node_on_face<2>(face, beyond), velocity) - velocity) ==
+                0.);
+        }
+}

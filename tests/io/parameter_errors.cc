@@ -155,8 +155,8 @@ TEST_CASE("Messages on values out of range", "[io]")
         "edge of a lattice cell: 2 means 8 per cell in 3D.)");
   CHECK(
     message_with("Walls/Lower z=sticky") ==
-    "Walls/Lower z = sticky: must be one of: stick, slip, separate. (What material does at this "
-    "face of the box.)");
+    "Walls/Lower z = sticky: must be one of: stick, slip, separate, open. (What material does at "
+    "this face of the box; open: it passes.)");
   CHECK(
     message_with("Output/Field quantities=H, D") ==
     "Output/Field quantities = H, D: must be any of: potential, H_int, H, M, B, number_density. "

@@ -3,6 +3,7 @@
 #include <deal.II/base/timer.h>
 
 #include <magmpm/base/exceptions.h>
+#include <magmpm/base/simd.h>
 #include <magmpm/base/version.h>
 #include <magmpm/io/number_text.h>
 #include <magmpm/io/run_log.h>
@@ -81,9 +82,9 @@ TEST_CASE("numbers are written as people read them", "[io]")
 
 TEST_CASE("terminal and log.txt hold the same header, from rank 0 alone", "[io][mpi]")
 {
-  // The header names version, lattice, particles, unknowns and each body with what it is made of.
-  // Wave speeds: sqrt((5e5 + 8e5)/2500) = 22.8 m/s and sqrt(1e6/1000) = 31.6 m/s. Where there are
-  // several ranks it tells how evenly they share the load, and a line follows when they share it anew.
+  // The header names version, instruction set, lattice, particles, unknowns and each body with what it
+  // is made of. Wave speeds: sqrt((5e5 + 8e5)/2500) = 22.8 m/s and sqrt(1e6/1000) = 31.6 m/s. Where there
+  // are several ranks it tells how they share the load, and a line follows when they share it anew.
   const std::string folder = testing::fresh_folder("run_log-header");
   std::ostringstream terminal;
   {
@@ -103,7 +104,7 @@ TEST_CASE("terminal and log.txt hold the same header, from rank 0 alone", "[io][
         "  drop: fluid, sound speed 31.6 m/s, viscosity 10 mPa s; not magnetic\n"
         "  load imbalance 1.5 on " +
         std::to_string(n_ranks) + " ranks: cells and particles dealt out anew, now 1.04\n";
-      CHECK(terminal.str().find(version_string()) == 0);
+      CHECK(terminal.str().find(version_string() + ", " + simd_instruction_set + ", ") == 0);
       CHECK(terminal.str().find(expected) != std::string::npos);
       CHECK(testing::contents(folder + "/log.txt") == terminal.str());
     }

@@ -169,3 +169,46 @@ TEMPLATE_TEST_CASE_SIG("A laminate has the right limits", "[magnetics]", ((int d
   const Vector<dim> mean = 0.3 * chi * along + (0.3 * chi / (1. + 0.7 * chi)) * across;
   CHECK(norm(respond<dim>(linear, normal, field).mean.magnetization - mean) <= 1e-12 * norm(mean));
 }
+
+// Solver and force evaluate several points at once, where each takes its own number of iterations, or
+// none. Every lane must get what its point gets alone, whatever lies beside it.
+TEST_CASE("A laminate is the same in the lanes of a Simd", "[magnetics]")
+{
+  using Lanes               = Simd<double, 4>;
+  const Vector<3> normal    = unit_vector<3>(0.4);
+  const double fractions[4] = {0.3, 1., 0., 0.999};
+  const double arguments[4] = {30., 1e-3, 1., 0.6};
+  for (const auto law : {MagnetizationLaw::langevin, MagnetizationLaw::linear})
+    {
+      MagneticContentOf<Lanes> content          = {grains(100.).saturation_magnetization, 100.};
+      content.saturation_magnetization.lanes[0] = 0.; // nothing magnetic beside the others
+      content.initial_susceptibility.lanes[0]   = 0.;
+      Vector<3, Lanes> field, normals;
+      for (int lane = 0; lane < 4; ++lane)
+        for (int d = 0; d < 3; ++d)
+          {
+            field[d].lanes[lane]   = arguments[lane] / k2 * unit_vector<3>(1.3)[d];
+            normals[d].lanes[lane] = normal[d];
+          }
+      const auto of_lanes = laminate_response(law, content, Lanes::load(fractions), normals, field);
+      for (int lane = 0; lane < 4; ++lane)
+        {
+          const auto alone = laminate_response<3>(law,
+                                                  lane == 0 ? MagneticContent() : grains(100.),
+                                                  fractions[lane],
+                                                  normal,
+                                                  (arguments[lane] / k2) * unit_vector<3>(1.3));
+          CAPTURE(lane);
+          CHECK(of_lanes.mean.coenergy[lane] == Approx(alone.mean.coenergy).epsilon(1e-12));
+          for (int i = 0; i < 3; ++i)
+            {
+              CHECK(of_lanes.jump[i][lane] == Approx(alone.jump[i]).epsilon(1e-12));
+              CHECK(of_lanes.mean.magnetization[i][lane] ==
+                    Approx(alone.mean.magnetization[i]).epsilon(1e-12));
+              for (int j = 0; j < 3; ++j)
+                CHECK(of_lanes.mean.tangent(i, j)[lane] ==
+                      Approx(alone.mean.tangent(i, j)).epsilon(1e-11).margin(1e-12));
+            }
+        }
+    }
+}

@@ -40,6 +40,20 @@ namespace
     return static_cast<double>(abs((Precise(value) - exact) / exact));
   }
 
+  /** That the lanes of a Simd, beside others small and large, get what a number gets. */
+  void
+  check_lanes(const double square, const LangevinFunction<> &law)
+  {
+    const double squares[4] = {0., square, 1., 1e8};
+    const auto lanes        = langevin_function(Simd<double, 4>::load(squares));
+    CHECK(lanes.over_argument[1] == Approx(law.over_argument).epsilon(1e-13));
+    CHECK(lanes.derivative[1] == Approx(law.derivative).epsilon(1e-13));
+    CHECK(lanes.anisotropy[1] == Approx(law.anisotropy).epsilon(1e-11));
+    CHECK(lanes.integral_over_square[1] == Approx(law.integral_over_square).epsilon(1e-13));
+    CHECK(lanes.over_argument[0] == Approx(1. / 3.).epsilon(1e-15));
+    CHECK(lanes.derivative[3] == Approx(1e-8).epsilon(1e-13));
+  }
+
   /** The largest relative errors over many arguments. */
   class Errors
   {
@@ -56,7 +70,7 @@ namespace
       anisotropy    = std::max(anisotropy, relative_error(law.anisotropy, exact.anisotropy));
       integral      = std::max(integral,
                           relative_error(law.integral_over_square, exact.integral_over_square));
-      CHECK(langevin_over_argument(square) == Approx(law.over_argument).epsilon(1e-15));
+      check_lanes(square, law);
     }
 
     void

@@ -297,8 +297,11 @@ namespace magmpm
           numbers[i] = join(low[i], high[i]);
       }
     else
-      for (int l = 0; l < width; ++l)
-        for (int i = 0; i < 4; ++i)
-          numbers[i].lanes[l] = address[l * stride + i];
+      for (int i = 0; i < 4; ++i)
+        {
+          numbers[i] = 0.;
+          for (int l = 0; l < width; ++l)
+            numbers[i].lanes[l] = address[l * stride + i];
+        }
   }
 } // namespace magmpm

@@ -23,8 +23,8 @@ namespace magmpm
    *   number_density  of grains [1/m^3]
    *
    * M and thus B are those of material: inside a magnet its own magnetization is not in them.
-   * All are values at the nodes of FE_Q(2), each cell cut in 2^dim; H_int, which jumps between cells,
-   * is averaged there, so that field lines drawn by a stream tracer are continuous. M and the density
+   * All are values at the nodes of FE_Q(2), each cell cut in 2^dim, in single precision; H_int, which
+   * jumps between cells, is averaged there, so that field lines drawn by a stream tracer are continuous. M and the density
    * of grains are means over the quadrature points around a node.
    */
   template <int dim>

@@ -23,4 +23,13 @@ namespace magmpm
    */
   ParameterChanges
   parameter_changes(const std::string &now, const std::string &then);
+
+  /**
+   * The same for a run that is to go on.
+   *
+   * @return a line for each change that is allowed, each after a line break.
+   * @throw InputError  names all changes that are critical.
+   */
+  std::string
+  check_resumable(const std::string &now, const std::string &then);
 } // namespace magmpm

@@ -3,6 +3,8 @@
 #include <magmpm/lattice/node_field.h>
 
 #include <algorithm>
+#include <cstring>
+#include <type_traits>
 
 namespace magmpm
 {
@@ -58,10 +60,10 @@ namespace magmpm
     add_to(NodeField<dim> &field, const BlockSet<dim> &blocks, const int slot) const
     {
       for_each_segment(blocks.neighbours(slot),
-                       [&](const int from, const int in, const int offset, const int n) {
+                       [&](const int from, const int in, const int offset, const auto length) {
                          double *target       = field.block(in) + offset;
                          const double *source = values + from;
-                         for (int i = 0; i < n; ++i)
+                         for (int i = 0; i < length; ++i)
                            target[i] += source[i];
                        });
     }
@@ -71,15 +73,20 @@ namespace magmpm
     load(const NodeField<dim> &field, const BlockSet<dim> &blocks, const int slot)
     {
       for_each_segment(blocks.neighbours(slot),
-                       [&](const int to, const int in, const int offset, const int n) {
-                         std::copy_n(field.block(in) + offset, n, values + to);
+                       [&](const int to, const int in, const int offset, const auto length) {
+                         std::memcpy(
+                           values + to, field.block(in) + offset, length * sizeof(double));
                        });
     }
 
   private:
+    template <int n>
+    using Doubles = std::integral_constant<int, n>;
+
     /**
      * Calls f(place in the arena, slot, place in its block, length) for all pieces of rows of nodes,
-     * in doubles. A row of 8 nodes along x lies in three blocks: 1, 4 and 3 nodes of them.
+     * in doubles. A row of 8 nodes along x lies in three blocks: 1, 4 and 3 nodes of them. Lengths are
+     * constants of the compiler.
      */
     template <typename Function>
     static void
@@ -97,9 +104,9 @@ namespace magmpm
             }
           const int first = row * edge * n_lanes;
           node *= n_lanes;
-          f(first, neighbours[neighbour], node + 3 * n_lanes, n_lanes);
-          f(first + n_lanes, neighbours[neighbour + 1], node, 4 * n_lanes);
-          f(first + 5 * n_lanes, neighbours[neighbour + 2], node, 3 * n_lanes);
+          f(first, neighbours[neighbour], node + 3 * n_lanes, Doubles<n_lanes>());
+          f(first + n_lanes, neighbours[neighbour + 1], node, Doubles<4 * n_lanes>());
+          f(first + 5 * n_lanes, neighbours[neighbour + 2], node, Doubles<3 * n_lanes>());
         }
     }
 

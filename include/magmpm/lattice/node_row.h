@@ -39,10 +39,12 @@ namespace magmpm
         nodes[i] += factor * row.nodes[i];
     }
 
-    NodeLanes
-    sum() const
+    NodeRow &
+    operator+=(const NodeRow &row)
     {
-      return nodes[0] + nodes[1] + nodes[2];
+      for (int i = 0; i < stencil_width; ++i)
+        nodes[i] += row.nodes[i];
+      return *this;
     }
   };
 
@@ -52,15 +54,6 @@ namespace magmpm
     NodeRow product;
     for (int i = 0; i < stencil_width; ++i)
       product.nodes[i] = row.nodes[i] * lanes;
-    return product;
-  }
-
-  inline NodeRow
-  operator*(const NodeRow &a, const NodeRow &b)
-  {
-    NodeRow product;
-    for (int i = 0; i < stencil_width; ++i)
-      product.nodes[i] = a.nodes[i] * b.nodes[i];
     return product;
   }
 } // namespace magmpm

@@ -4,62 +4,69 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace magmpm
 {
-  /** A medium of two layers at one point: what the potential problem and the force need of it. */
-  template <int dim>
+  /**
+   * A medium of two layers at one point: what the potential problem and the force need of it.
+   *
+   * @tparam Number  double, or Simd: at several points, as in all that follows.
+   */
+  template <int dim, typename Number = double>
   struct LaminateResponse
   {
     /** Mean M [A/m], d(mean M)/dH and the coenergy of the medium, W - |H|^2/2 below. */
-    MagneticResponse<dim> mean;
+    MagneticResponse<dim, Number> mean;
 
     /** s nu [A/m]: the field is H + (1 - f) s nu in the material and H - f s nu beside it. */
-    Vector<dim> jump;
+    Vector<dim, Number> jump;
   };
+
+  /** A fraction above this is 1 but for its rounding: the point is no mixture. */
+  inline constexpr double nearly_full = 1. - 1e-12;
 
   namespace internal
   {
     /**
      * The zero of s + nu.M(H + (1-f) s nu), which grows in s at least as fast as s itself. By this, and
      * since s = 0 gives b = nu.M(H), it lies between -b and 0: Newton's method inside this bracket,
-     * which halves it where a step would leave it.
+     * which halves it where a step would leave it. Zero where there are no two phases.
      */
-    template <int dim>
-    inline double
+    template <int dim, typename Number>
+    inline Number
     laminate_jump(const MagnetizationLaw law,
-                  const MagneticContent &content,
-                  const double fraction,
-                  const Vector<dim> &normal,
-                  const Vector<dim> &field)
+                  const MagneticContentOf<Number> &content,
+                  const Number fraction,
+                  const Vector<dim, Number> &normal,
+                  const Vector<dim, Number> &field)
     {
+      using std::max;
       constexpr int max_iterations = 60; // halving alone reaches the tolerance
-      constexpr double tolerance   = 1e-13;
 
-      double jump = 0., start = 0., low = 0., high = 0.;
-      for (int i = 0; i < max_iterations; ++i)
+      Number jump = 0., start = 0., low = 0., high = 0.;
+      auto is_open = (fraction > 0.) & (fraction < nearly_full); // each point stops by itself
+      for (int i = 0; i < max_iterations && any(is_open); ++i)
         {
-          const Vector<dim> inside = field + ((1. - fraction) * jump) * normal;
-          const DirectionalResponse response =
-            directional_response<dim>(law, content, normal, inside);
-          const double value = jump + response.magnetization;
+          const Vector<dim, Number> inside = field + ((1. - fraction) * jump) * normal;
+          const auto response              = directional_response(law, content, normal, inside);
+          const Number value               = jump + response.magnetization;
           if (i == 0)
             {
-              start = std::abs(value);
-              low   = std::min(-value, 0.);
-              high  = std::max(-value, 0.);
+              start = max(value, -value);
+              low   = -max(value, Number(0.));
+              high  = max(-value, Number(0.));
             }
-          (value > 0. ? high : low) = jump;
-          double next               = jump - value / (1. + (1. - fraction) * response.slope);
-          const bool is_newton      = next >= low && next <= high;
-          if (!is_newton)
-            next = 0.5 * (low + high);
-          const double change = std::abs(next - jump);
-          jump                = next;
+          const auto is_above  = value > 0.;
+          high                 = select(is_above, jump, high);
+          low                  = select(is_above, low, jump);
+          const Number newton  = jump - value / (1. + (1. - fraction) * response.slope);
+          const auto is_inside = (low <= newton) & (newton <= high);
+          const Number next    = select(is_inside, newton, 0.5 * (low + high));
           // After a Newton step the error is of the order of the square of the change.
-          if (change <= (is_newton ? 1e-7 : tolerance) * start)
-            break;
+          const Number tolerated = select(is_inside, Number(1e-7), Number(1e-13)) * start;
+          const Number change    = max(next - jump, jump - next);
+          jump                   = select(is_open, next, jump);
+          is_open                = is_open & (change > tolerated);
         }
       return jump;
     }
@@ -81,28 +88,26 @@ namespace magmpm
    * @param normal    nu, of length at most 1; its sign does not matter.
    * @param field     H, the mean over both phases [A/m].
    */
-  template <int dim>
-  inline LaminateResponse<dim>
+  template <int dim, typename Number>
+  inline LaminateResponse<dim, Number>
   laminate_response(const MagnetizationLaw law,
-                    const MagneticContent &content,
-                    const double fraction,
-                    const Vector<dim> &normal,
-                    const Vector<dim> &field)
+                    const MagneticContentOf<Number> &content,
+                    const Number fraction,
+                    const Vector<dim, Number> &normal,
+                    const Vector<dim, Number> &field)
   {
-    if (!(fraction > 0.))
+    if (!any(fraction > 0.))
       return {};
-    if (fraction >= 1.)
-      return {magnetic_response<dim>(law, content, field), Vector<dim>()};
 
-    const double rest = 1. - fraction;
-    const double jump = internal::laminate_jump(law, content, fraction, normal, field);
+    const Number rest = 1. - fraction;
+    const Number jump = internal::laminate_jump(law, content, fraction, normal, field);
 
-    LaminateResponse<dim> result;
+    LaminateResponse<dim, Number> result;
     result.jump = jump * normal;
-    const MagneticResponse<dim> inside =
-      magnetic_response<dim>(law, content, field + rest * result.jump);
-    const Vector<dim> k_normal = inside.tangent * normal;
-    const double softening     = rest / (1. + rest * dot(normal, k_normal));
+    const MagneticResponse<dim, Number> inside =
+      magnetic_response(law, content, field + rest * result.jump);
+    const Vector<dim, Number> k_normal = inside.tangent * normal;
+    const Number softening             = rest / (1. + rest * dot(normal, k_normal));
 
     result.mean.magnetization = fraction * inside.magnetization;
     result.mean.tangent  = fraction * (inside.tangent + (-softening) * outer(k_normal, k_normal));

@@ -6,6 +6,7 @@
 #include <magmpm/magnetics/sharp_indicator.h>
 #include <magmpm/magnets/external_field.h>
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -90,15 +91,57 @@ namespace magmpm
       return static_cast<unsigned int>(points.size());
     }
 
-    /** The medium in the field of the sources plus @p self_field. */
-    LaminateResponse<dim>
-    response(const unsigned int point, const Vector<dim> &self_field) const
+    /** Values at several points at once, for the laws of the medium. */
+    using Lanes = SimdDouble;
+
+    /** The medium at some points of a cell, in the field of the sources plus their own. */
+    struct Batch
     {
-      const Point &p = points[point];
-      return laminate_response<dim>(law, p.content, p.fraction, p.normal, p.field + self_field);
+      Lanes fraction;                ///< f of the laminate
+      Vector<dim, Lanes> self_field; ///< [A/m]
+      LaminateResponse<dim, Lanes> response;
+    };
+
+    /**
+     * Calls action(first, n, batch) for all points of a cell, numbers first to first + n - 1 of the cell
+     * at a time in the lanes of @p batch; further lanes repeat the last.
+     *
+     * @param first_point  of the cell.
+     * @param self_field   h at a point of the cell (0 .. n_points - 1) [A/m].
+     */
+    template <typename SelfField, typename Action>
+    void
+    for_batches(const unsigned int first_point,
+                const SelfField &self_field,
+                const Action &action) const
+    {
+      for (int first = 0; first < n_points<dim>; first += Lanes::n_lanes)
+        {
+          const int n = std::min(Lanes::n_lanes, n_points<dim> - first);
+          Batch batch;
+          MagneticContentOf<Lanes> content;
+          Vector<dim, Lanes> normal, field;
+          for (int lane = 0; lane < Lanes::n_lanes; ++lane)
+            {
+              const int q                                  = first + std::min(lane, n - 1);
+              const Point &p                               = points[first_point + q];
+              const Vector<dim> h                          = self_field(q);
+              content.saturation_magnetization.lanes[lane] = p.content.saturation_magnetization;
+              content.initial_susceptibility.lanes[lane]   = p.content.initial_susceptibility;
+              batch.fraction.lanes[lane]                   = p.fraction;
+              for (int d = 0; d < dim; ++d)
+                {
+                  batch.self_field[d].lanes[lane] = h[d];
+                  normal[d].lanes[lane]           = p.normal[d];
+                  field[d].lanes[lane]            = p.field[d] + h[d];
+                }
+            }
+          batch.response = laminate_response(law, content, batch.fraction, normal, field);
+          action(first, n, batch);
+        }
     }
 
-    /** f of the laminate: the part of the volume that response() calls material. */
+    /** f of the laminate: the part of the volume that is in its material phase. */
     double
     fraction(const unsigned int point) const
     {
@@ -216,6 +259,14 @@ namespace magmpm
     /** Completes the points of a cell. */
     void
     set_medium(const Cell &cell, const NodeField<dim> &content, const ExternalField<dim> &sources);
+
+    /** Adds a cell to magnetized_weight(). */
+    void
+    add_magnetized_weight(const Cell &cell);
+
+    /** Whether any point of the cell is a mixture, which alone needs nu. */
+    bool
+    has_surface(const Cell &cell) const;
 
     /** nu at the points of a cell. */
     void

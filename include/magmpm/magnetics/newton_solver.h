@@ -35,6 +35,9 @@ namespace magmpm
     double tolerance = 0.; ///< on the norm of the residual, absolute
     int max_steps    = 25;
     bool is_linear   = false; ///< the first linear system is solved straight to the tolerance
+
+    /** Norm of the residual before a good start was found for x, or zero if that is not known. */
+    double residual_without_start = 0.;
   };
 
   /** A system of equations F(x) = 0, as damped_newton() sees it. */
@@ -65,22 +68,27 @@ namespace magmpm
    * eta = 0.9 (|F| / |F_previous|)^2, safeguarded by 0.9 eta_previous^2 while that is large, at most
    * 0.1, and no smaller than what reaches the tolerance of the Newton solve in this step. Keeps the
    * quadratic convergence at about a third of the linear iterations that exact solves need.
+   *
+   * @param residual  |F|.
+   * @param before    |F_previous|, or zero if there is none.
+   * @param previous  eta_previous.
    */
   inline double
-  forcing_term(const std::vector<double> &residuals, const double previous, const double tolerance)
+  forcing_term(const double residual,
+               const double before,
+               const double previous,
+               const double tolerance)
   {
     constexpr double largest = 0.1;
-    const double now         = residuals.back();
     double eta               = largest;
-    if (residuals.size() > 1)
+    if (before > 0.)
       {
-        const double ratio     = now / residuals[residuals.size() - 2];
         const double safeguard = 0.9 * previous * previous;
-        eta                    = 0.9 * ratio * ratio;
+        eta                    = 0.9 * std::pow(residual / before, 2);
         if (safeguard > largest)
           eta = std::max(eta, safeguard);
       }
-    return std::clamp(eta, std::min(0.3 * tolerance / now, largest), largest);
+    return std::clamp(eta, std::min(0.3 * tolerance / residual, largest), largest);
   }
 
   /** "1.0e+00 5.4e-02 ..." for error messages. */
@@ -126,7 +134,7 @@ namespace magmpm
       problem.evaluate(x, residual);
     report.residuals.push_back(residual.l2_norm());
 
-    double eta = 0.;
+    double before = parameters.residual_without_start, eta = 0.;
     while (!(report.residuals.back() <= parameters.tolerance))
       {
         const double norm = report.residuals.back();
@@ -136,7 +144,7 @@ namespace magmpm
                          ", to reach was " + to_string({parameters.tolerance}) + ".");
 
         eta = parameters.is_linear ? std::min(0.5 * parameters.tolerance / norm, 0.1)
-                                   : forcing_term(report.residuals, eta, parameters.tolerance);
+                                   : forcing_term(norm, before, eta, parameters.tolerance);
         report.linear_iterations += problem.solve_linearized(residual, eta, step);
 
         start         = x;
@@ -157,6 +165,7 @@ namespace magmpm
             ++report.line_search_steps;
           }
         report.residuals.push_back(residual.l2_norm());
+        before = norm;
         ++report.steps;
       }
     return report;

@@ -55,8 +55,9 @@ namespace magmpm
     ~PotentialProblem();
 
     /**
-     * Solves for the present material and sources. Starts from the last potential, from zero after a
-     * change of the mesh, for which it sets everything up anew. Collective.
+     * Solves for the present material and sources. Starts from the last potential, or from the last two
+     * continued, and from zero after a change of the mesh, for which it sets everything up anew.
+     * Collective.
      *
      * @param content  on the nodes of the active blocks, ghosts updated: lanes {volume fraction v [-],
      *                 density of saturation magnetization [A/m], of initial susceptibility [-], of

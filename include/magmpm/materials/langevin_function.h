@@ -1,5 +1,8 @@
 #pragma once
 
+#include <magmpm/base/select.h>
+#include <magmpm/base/simd_functions.h>
+
 #include <cmath>
 
 namespace magmpm
@@ -7,13 +10,16 @@ namespace magmpm
   /**
    * The Langevin function L(a) = coth a - 1/a and what belongs to it, each divided by the power of
    * a that makes it finite and positive at a = 0; hence no case distinction at zero field.
+   *
+   * @tparam Number  double, or Simd: of several points.
    */
+  template <typename Number = double>
   struct LangevinFunction
   {
-    double over_argument;        ///< L(a)/a, 1/3 at 0
-    double derivative;           ///< L'(a), 1/3 at 0
-    double anisotropy;           ///< (L(a)/a - L'(a))/a^2, 2/45 at 0
-    double integral_over_square; ///< ln(sinh(a)/a)/a^2, 1/6 at 0; the integral of L over a^2
+    Number over_argument;        ///< L(a)/a, 1/3 at 0
+    Number derivative;           ///< L'(a), 1/3 at 0
+    Number anisotropy;           ///< (L(a)/a - L'(a))/a^2, 2/45 at 0
+    Number integral_over_square; ///< ln(sinh(a)/a)/a^2, 1/6 at 0; the integral of L over a^2
   };
 
   namespace internal
@@ -34,23 +40,45 @@ namespace magmpm
                                                                  87734. / 38979295480125.,
                                                                  -349222. / 1531329465290625.,
                                                                  310732. / 13447856940643125.};
-  } // namespace internal
 
-  /** L(a)/a alone, the magnetization, for @p square = a^2 >= 0. */
-  inline double
-  langevin_over_argument(const double square)
-  {
-    if (square < internal::langevin_series_limit)
-      {
-        double sum = 0.;
-        for (int k = internal::n_langevin_terms - 1; k >= 0; --k)
-          sum = sum * square + internal::langevin_series[k];
-        return sum;
-      }
-    const double a     = std::sqrt(square);
-    const double decay = std::exp(-2. * a);
-    return ((1. + decay) / (1. - decay) - 1. / a) / a;
-  }
+    /** The power series of all of them. */
+    template <typename Number>
+    inline LangevinFunction<Number>
+    langevin_by_series(const Number square)
+    {
+      // L' = sum (2k+1) c_k z^k, (L/a - L')/z = -sum 2(k+1) c_(k+1) z^k, integral: c_k/(2k+2).
+      LangevinFunction<Number> sum = {0., 0., 0., 0.};
+      for (int k = n_langevin_terms - 1; k >= 0; --k)
+        {
+          const double c           = langevin_series[k];
+          sum.over_argument        = sum.over_argument * square + c;
+          sum.derivative           = sum.derivative * square + (2 * k + 1) * c;
+          sum.integral_over_square = sum.integral_over_square * square + c / (2 * k + 2);
+          if (k > 0)
+            sum.anisotropy = sum.anisotropy * square - 2 * k * c;
+        }
+      return sum;
+    }
+
+    template <bool with_integral, typename Number>
+    inline LangevinFunction<Number>
+    langevin_in_closed_form(const Number square)
+    {
+      using std::exp, std::log, std::sqrt;
+      const Number a     = sqrt(square);
+      const Number decay = exp(-2. * a);
+      const Number rest  = 1. - decay;
+
+      LangevinFunction<Number> result;
+      result.over_argument        = ((1. + decay) / rest - 1. / a) / a;
+      result.derivative           = 1. / square - 4. * decay / (rest * rest);
+      result.anisotropy           = (result.over_argument - result.derivative) / square;
+      result.integral_over_square = 0.;
+      if constexpr (with_integral)
+        result.integral_over_square = (a + log(rest / (2. * a))) / square;
+      return result;
+    }
+  } // namespace internal
 
   /**
    * All of them, for @p square = a^2 >= 0. In closed form, coth a - 1/a cancels at small a and
@@ -61,37 +89,23 @@ namespace magmpm
    *   ln(sinh(a)/a) = a + ln((1 - e)/(2 a)).
    * For every a the relative error is below 1e-14, that of the anisotropy below 1e-12.
    *
-   * @tparam with_integral  false leaves the integral at 0, which saves a logarithm.
+   * @tparam with_integral  false leaves the integral out, which saves a logarithm.
    */
-  template <bool with_integral = true>
-  inline LangevinFunction
-  langevin_function(const double square)
+  template <bool with_integral = true, typename Number>
+  inline LangevinFunction<Number>
+  langevin_function(const Number square)
   {
-    if (square < internal::langevin_series_limit)
-      {
-        // L' = sum (2k+1) c_k z^k, (L/a - L')/z = -sum 2(k+1) c_(k+1) z^k, integral: c_k/(2k+2).
-        LangevinFunction sum = {0., 0., 0., 0.};
-        for (int k = internal::n_langevin_terms - 1; k >= 0; --k)
-          {
-            const double c           = internal::langevin_series[k];
-            sum.over_argument        = sum.over_argument * square + c;
-            sum.derivative           = sum.derivative * square + (2 * k + 1) * c;
-            sum.integral_over_square = sum.integral_over_square * square + c / (2 * k + 2);
-            if (k > 0)
-              sum.anisotropy = sum.anisotropy * square - 2 * k * c;
-          }
-        return sum;
-      }
-
-    const double a     = std::sqrt(square);
-    const double decay = std::exp(-2. * a);
-    const double rest  = 1. - decay;
-
-    LangevinFunction result;
-    result.over_argument        = ((1. + decay) / rest - 1. / a) / a;
-    result.derivative           = 1. / square - 4. * decay / (rest * rest);
-    result.anisotropy           = (result.over_argument - result.derivative) / square;
-    result.integral_over_square = with_integral ? (a + std::log(rest / (2. * a))) / square : 0.;
-    return result;
+    // Of several points some may take the series and others the closed form.
+    const auto is_small = square < internal::langevin_series_limit;
+    if (!any(is_small))
+      return internal::langevin_in_closed_form<with_integral>(square);
+    const auto series = internal::langevin_by_series(square);
+    if (!any(internal::langevin_series_limit <= square))
+      return series;
+    const auto closed = internal::langevin_in_closed_form<with_integral>(square);
+    return {select(is_small, series.over_argument, closed.over_argument),
+            select(is_small, series.derivative, closed.derivative),
+            select(is_small, series.anisotropy, closed.anisotropy),
+            select(is_small, series.integral_over_square, closed.integral_over_square)};
   }
 } // namespace magmpm

@@ -4,62 +4,73 @@
 #include <magmpm/materials/langevin_function.h>
 #include <magmpm/materials/material_parameters.h>
 
+#include <utility>
+
 namespace magmpm
 {
   /**
    * How magnetizable the medium is at a point; both zero in vacuum. The linear law uses the
    * susceptibility only.
+   *
+   * @tparam Number  double, or Simd: at several points, as in all that follows.
    */
-  struct MagneticContent
+  template <typename Number>
+  struct MagneticContentOf
   {
-    double saturation_magnetization = 0.; ///< M_s [A/m]
-    double initial_susceptibility   = 0.; ///< chi_0 [-]
+    Number saturation_magnetization = 0.; ///< M_s [A/m]
+    Number initial_susceptibility   = 0.; ///< chi_0 [-]
 
-    bool
+    /** A truth value for each point. */
+    auto
     is_magnetic() const
     {
-      return saturation_magnetization > 0. && initial_susceptibility > 0.;
+      return (saturation_magnetization > 0.) & (initial_susceptibility > 0.);
     }
   };
 
+  using MagneticContent = MagneticContentOf<double>;
+
   /** Magnetization and what the Newton method needs beside it, at one point. */
-  template <int dim>
+  template <int dim, typename Number = double>
   struct MagneticResponse
   {
-    Vector<dim> magnetization; ///< M [A/m]
-    Matrix<dim> tangent;       ///< dM/dH [-], symmetric and positive semidefinite
-    double coenergy = 0.;      ///< psi [A^2/m^2] with grad psi = M, zero at H = 0
+    Vector<dim, Number> magnetization; ///< M [A/m]
+    Matrix<dim, Number> tangent;       ///< dM/dH [-], symmetric and positive semidefinite
+    Number coenergy = 0.;              ///< psi [A^2/m^2] with grad psi = M, zero at H = 0
   };
 
   namespace internal
   {
-    template <int dim>
-    inline MagneticResponse<dim>
-    linear_response(const MagneticContent &content, const Vector<dim> &field)
+    template <int dim, typename Number>
+    inline MagneticResponse<dim, Number>
+    linear_response(const MagneticContentOf<Number> &content, const Vector<dim, Number> &field)
     {
-      const double chi = content.initial_susceptibility;
-      return {chi * field, chi * identity<dim>(), 0.5 * chi * norm_square(field)};
+      const Number chi = content.initial_susceptibility;
+      return {chi * field, chi * identity<dim, Number>(), 0.5 * chi * norm_square(field)};
     }
 
-    /** a = k2 H with k2 = 3 chi_0/M_s = mu_0 m/(k_B T), the argument of the Langevin function. */
-    template <int dim>
-    inline Vector<dim>
-    langevin_argument(const MagneticContent &content, const Vector<dim> &field)
+    /**
+     * 3 chi_0, and a = k2 H with k2 = 3 chi_0/M_s = mu_0 m/(k_B T), the argument of the Langevin
+     * function; both zero where nothing is magnetic.
+     */
+    template <int dim, typename Number>
+    inline std::pair<Number, Vector<dim, Number>>
+    langevin_argument(const MagneticContentOf<Number> &content, const Vector<dim, Number> &field)
     {
-      return (3. * content.initial_susceptibility / content.saturation_magnetization) * field;
+      const auto is_magnetic = content.is_magnetic();
+      const Number chi       = select(is_magnetic, 3. * content.initial_susceptibility, Number(0.));
+      const Number saturation = select(is_magnetic, content.saturation_magnetization, Number(1.));
+      return {chi, (chi / saturation) * field};
     }
 
-    template <int dim>
-    inline MagneticResponse<dim>
-    langevin_response(const MagneticContent &content, const Vector<dim> &field)
+    template <int dim, typename Number>
+    inline MagneticResponse<dim, Number>
+    langevin_response(const MagneticContentOf<Number> &content, const Vector<dim, Number> &field)
     {
-      if (!content.is_magnetic())
-        return {};
-      const Vector<dim> a        = langevin_argument(content, field);
-      const LangevinFunction law = langevin_function(norm_square(a));
-      const double chi           = 3. * content.initial_susceptibility;
+      const auto [chi, a] = langevin_argument(content, field);
+      const auto law      = langevin_function(norm_square(a));
       return {(chi * law.over_argument) * field,
-              chi * (law.over_argument * identity<dim>() + (-law.anisotropy) * outer(a, a)),
+              chi * (law.over_argument * identity<dim, Number>() + (-law.anisotropy) * outer(a, a)),
               chi * law.integral_over_square * norm_square(field)};
     }
   } // namespace internal
@@ -76,56 +87,52 @@ namespace magmpm
    * @param content  at this point.
    * @param field    H, the total one [A/m].
    */
-  template <int dim>
-  inline MagneticResponse<dim>
+  template <int dim, typename Number>
+  inline MagneticResponse<dim, Number>
   magnetic_response(const MagnetizationLaw law,
-                    const MagneticContent &content,
-                    const Vector<dim> &field)
+                    const MagneticContentOf<Number> &content,
+                    const Vector<dim, Number> &field)
   {
     return law == MagnetizationLaw::linear ? internal::linear_response(content, field)
                                            : internal::langevin_response(content, field);
   }
 
   /** d.M [A/m] and d.(dM/dH) d for a vector d, cheaper than all of M and its derivative. */
+  template <typename Number = double>
   struct DirectionalResponse
   {
-    double magnetization;
-    double slope;
+    Number magnetization;
+    Number slope;
   };
 
-  template <int dim>
-  inline DirectionalResponse
+  template <int dim, typename Number>
+  inline DirectionalResponse<Number>
   directional_response(const MagnetizationLaw law,
-                       const MagneticContent &content,
-                       const Vector<dim> &direction,
-                       const Vector<dim> &field)
+                       const MagneticContentOf<Number> &content,
+                       const Vector<dim, Number> &direction,
+                       const Vector<dim, Number> &field)
   {
-    const double along  = dot(direction, field);
-    const double square = norm_square(direction);
+    const Number along  = dot(direction, field);
+    const Number square = norm_square(direction);
     if (law == MagnetizationLaw::linear)
       return {content.initial_susceptibility * along, content.initial_susceptibility * square};
-    if (!content.is_magnetic())
-      return {0., 0.};
-    const Vector<dim> a    = internal::langevin_argument(content, field);
+    const auto [chi, a]    = internal::langevin_argument(content, field);
     const auto langevin    = langevin_function<false>(norm_square(a));
-    const double chi       = 3. * content.initial_susceptibility;
-    const double projected = dot(direction, a);
+    const Number projected = dot(direction, a);
     return {chi * langevin.over_argument * along,
             chi * (langevin.over_argument * square - langevin.anisotropy * projected * projected)};
   }
 
   /** M [A/m] alone, cheaper. */
-  template <int dim>
-  inline Vector<dim>
+  template <int dim, typename Number>
+  inline Vector<dim, Number>
   magnetization(const MagnetizationLaw law,
-                const MagneticContent &content,
-                const Vector<dim> &field)
+                const MagneticContentOf<Number> &content,
+                const Vector<dim, Number> &field)
   {
     if (law == MagnetizationLaw::linear)
       return content.initial_susceptibility * field;
-    if (!content.is_magnetic())
-      return {};
-    const double square = norm_square(internal::langevin_argument(content, field));
-    return (3. * content.initial_susceptibility * langevin_over_argument(square)) * field;
+    const auto [chi, a] = internal::langevin_argument(content, field);
+    return (chi * langevin_function<false>(norm_square(a)).over_argument) * field;
   }
 } // namespace magmpm

@@ -126,6 +126,10 @@ namespace magmpm
      * of which the larger is taken, with an upper bound for the largest eigenvalue of b: the mean
      * eigenvalue and sqrt((dim-1)/dim) times the norm of the deviator. The bound is exact in 2D and
      * for undeformed and uniaxially stretched material, and at most 4/3 of the eigenvalue in 3D.
+     *
+     * It is no less than half of dx omega/2 of a particle alone on its lattice,
+     *   density (dx omega/2)^2 = 2 mu b_max + dim lambda,
+     * which does not become slow when expanded, as waves in a body do.
      */
     Number
     wave_speed(const State &deformation_gradient) const
@@ -138,7 +142,9 @@ namespace magmpm
       const Number largest_stretch_square = mean + std::sqrt((dim - 1.) / dim) * frobenius_norm(b);
       const Number log_volume_ratio       = log(volume_ratio(deformation_gradient));
       const Number along                  = shear_modulus + lame_lambda * (1. - log_volume_ratio);
-      return sqrt((shear_modulus * largest_stretch_square + max(along, 0.)) / density);
+      const Number in_body                = shear_modulus * largest_stretch_square + max(along, 0.);
+      const Number alone = 0.5 * shear_modulus * largest_stretch_square + 0.25 * dim * lame_lambda;
+      return sqrt(max(in_body, alone) / density);
     }
 
     /** Dynamic viscosity [Pa s]: none. */

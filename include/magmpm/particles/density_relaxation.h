@@ -19,7 +19,9 @@ namespace magmpm
    *   v_i = sum_p N_ip V_0/dx^dim / (share of the node's B-spline inside of the walls),
    *
    * with tau = 3 dx/c: slow beside sound in a cell, fast beside what flows. Next to a free surface,
-   * where v_i of one of the nodes is below 0.8, J is left alone: there the B-splines see too little.
+   * where v_i of one of the nodes is below 0.9, J is left alone: there the B-splines see too little.
+   * In a spray, where sum_i N_ip v_i is below 0.4, it is drawn towards 1: a particle alone is an
+   * oscillator that a time step for waves in the bulk makes unstable once J is off by a fifth.
    * Fluids count together; a solid body or magnet beside them is a free surface to them.
    */
 
@@ -40,8 +42,8 @@ namespace magmpm
                             NodeField<dim> &field);
 
   /**
-   * On the owned nodes, after ranks have added their parts: {v_i, weight}, both zero beyond walls;
-   * the weight is one, and very negative where the free surface is near.
+   * On the owned nodes, after ranks have added their parts: {v_i, 1, 1 where v_i is below 0.9}; all
+   * zero beyond walls.
    */
   template <int dim>
   void

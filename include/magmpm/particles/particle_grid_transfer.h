@@ -51,34 +51,4 @@ namespace magmpm
                        const Lattice<dim> &lattice,
                        const double time_step,
                        std::vector<Body<dim>> &bodies);
-
-  /**
-   * Density of magnetic content, P2G of the grains of each particle, Eq. (27):
-   * {volume J V_0 over dx^dim [-], saturation magnetization [A/m], initial susceptibility [-],
-   *  number density [1/m^3]}, the last three those of the undeformed material times V_0/dx^dim.
-   * Grains move with the material, so their number per particle never changes.
-   */
-  template <int dim>
-  void
-  magnetic_content_to_lattice(std::vector<Body<dim>> &bodies,
-                              const BlockSet<dim> &blocks,
-                              const Lattice<dim> &lattice,
-                              NodeField<dim> &content);
-
-  /** The mass of magnetic particles alone, in lane 3 [kg]: what magnetic force acts on. */
-  template <int dim>
-  void
-  magnetic_mass_to_lattice(std::vector<Body<dim>> &bodies,
-                           const BlockSet<dim> &blocks,
-                           const Lattice<dim> &lattice,
-                           NodeField<dim> &mass);
-
-  /** What a quantity of the nodes becomes on magnetic particles. */
-  template <int dim>
-  void
-  interpolate_to_particles(const NodeField<dim> &field,
-                           const BlockSet<dim> &blocks,
-                           const Lattice<dim> &lattice,
-                           const ParticleProperty quantity,
-                           std::vector<Body<dim>> &bodies);
 } // namespace magmpm

@@ -8,35 +8,37 @@ namespace magmpm
   /**
    * Sums and extremes over the particles of a body; those of ranks and bodies can be combined. In
    * 2D everything is per metre of depth.
+   *
+   * @tparam Number  double; Simd while many particles are summed at once.
    */
-  template <int dim>
+  template <int dim, typename Number = double>
   struct ParticleSums
   {
-    double n_particles          = 0.;
-    double mass                 = 0.; ///< [kg]
-    double kinetic_energy       = 0.; ///< sum of m |v|^2/2 [J]
-    double elastic_energy       = 0.; ///< sum of V_0 psi [J]
-    double gravitational_energy = 0.; ///< -sum of m g.x [J]
-    Vector<dim> momentum;             ///< [kg m/s]
-    Vector<dim> mass_times_position;  ///< [kg m]
+    Number n_particles          = 0.;
+    Number mass                 = 0.;        ///< [kg]
+    Number kinetic_energy       = 0.;        ///< sum of m |v|^2/2 [J]
+    Number elastic_energy       = 0.;        ///< sum of V_0 psi [J]
+    Number gravitational_energy = 0.;        ///< -sum of m g.x [J]
+    Vector<dim, Number> momentum;            ///< [kg m/s]
+    Vector<dim, Number> mass_times_position; ///< [kg m]
 
     /** About the origin, with the part of the affine velocities: m dx^2/4 times their curl [J s]. */
-    Vector<n_axial_components<dim>> angular_momentum;
+    Vector<n_axial_components<dim>, Number> angular_momentum;
 
-    Vector<dim> magnetic_force;  ///< sum of m a, carried since the last solve [N]
-    Vector<dim> magnetic_moment; ///< sum of J V_0 M, M from H at the last solve [A m^2]
+    Vector<dim, Number> magnetic_force;  ///< sum of m a, carried since the last solve [N]
+    Vector<dim, Number> magnetic_moment; ///< sum of J V_0 M, M from H at the last solve [A m^2]
 
-    double max_speed           = 0.; ///< [m/s]
-    double max_affine_velocity = 0.; ///< Frobenius norm of C [1/s]
-    double min_volume_ratio    = 1e300;
-    double max_volume_ratio    = 0.;
-    double max_field           = 0.; ///< |H| [A/m]
-    double max_magnetization   = 0.; ///< |M| [A/m]
+    Number max_speed           = 0.; ///< [m/s]
+    Number max_affine_velocity = 0.; ///< Frobenius norm of C [1/s]
+    Number min_volume_ratio    = 1e300;
+    Number max_volume_ratio    = 0.;
+    Number max_field           = 0.; ///< |H| [A/m]
+    Number max_magnetization   = 0.; ///< |M| [A/m]
 
     /** The force of magnets on a particle over its mass, at most [m/s^2]. */
-    double max_magnetic_acceleration = 0.;
+    Number max_magnetic_acceleration = 0.;
     /** sqrt(mu_0 |M|^2/rho), the speed of the waves that magnetization adds, at most [m/s]. */
-    double max_magnetic_wave_speed = 0.;
+    Number max_magnetic_wave_speed = 0.;
 
     ParticleSums &
     operator+=(const ParticleSums &other);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <magmpm/base/prefetch.h>
 #include <magmpm/base/simd.h>
 #include <magmpm/lattice/arena.h>
 #include <magmpm/lattice/node_row.h>
@@ -14,20 +13,37 @@ namespace magmpm
    */
   inline constexpr int batch_size = 64;
 
-  /** The stencils of a batch, the 3^dim nodes around each particle, in an arena. */
+  /** Rows of three nodes along x in a stencil: row j + 3k is j up in y, k up in z. */
+  template <int dim>
+  inline constexpr int n_stencil_rows = power(stencil_width, dim - 1);
+
+  /** Distance in an arena from a stencil's first row to row @p r [doubles]. */
+  template <int dim>
+  constexpr int
+  row_offset(const int r)
+  {
+    const int in_plane = (r % stencil_width) * Arena<dim>::stride(1);
+    return dim == 2 ? in_plane : in_plane + (r / stencil_width) * Arena<dim>::stride(dim - 1);
+  }
+
+  /**
+   * The stencils of a batch, the 3^dim nodes around each particle, in an arena. The weight of a node
+   * is that of its place in the row times that of the row.
+   */
   template <int dim>
   struct StencilBatch
   {
-    alignas(64) int first[batch_size]; ///< place of the lowest node in the arena [doubles]
-
-    /** N_i along each direction, and N_i (x_i - x_p)/dx. */
-    alignas(64) double weights[dim][stencil_width][batch_size];
-    alignas(64) double moments[dim][stencil_width][batch_size];
+    alignas(64) int first[batch_size]; ///< place of the first node in the arena [doubles]
+    alignas(64) double weights[stencil_width][batch_size];
+    alignas(64) double row_weights[n_stencil_rows<dim>][batch_size];
+    alignas(64) double offsets[dim][batch_size]; ///< of the particle from the first node [dx]
   };
 
   /**
-   * What goes to or comes from the nodes around each particle of a batch, in the lanes of a node: the
-   * value at the particle, and the slope or first moment along each direction, times or over dx.
+   * What goes to or comes from the nodes around each particle of a batch, in the lanes of a node. To
+   * the nodes goes a linear function: its value on the first node, and how much it grows from a node
+   * to the next along each direction. From them come the weighted sum, and the sums weighted with
+   * the number of the node along each direction (0, 1, 2) besides.
    */
   template <int dim>
   struct LinearBatch
@@ -35,6 +51,17 @@ namespace magmpm
     static constexpr int stride = (1 + dim) * n_lanes;
 
     alignas(64) double numbers[batch_size][1 + dim][n_lanes];
+
+    /**
+     * Fills the lanes beyond particle @p n - 1 with its numbers, as PartialLanes do: what is left there
+     * would count as extremes.
+     */
+    void
+    repeat_last(const int n)
+    {
+      for (int p = n; p % SimdDouble::n_lanes != 0; ++p)
+        std::memcpy(numbers[p], numbers[n - 1], sizeof(numbers[p]));
+    }
   };
 
   /** Places particles on the lattice of the arena of a block. */
@@ -53,22 +80,26 @@ namespace magmpm
     place(const Vector<dim, SimdDouble> &position, const int p, StencilBatch<dim> &stencils) const
     {
       SimdDouble::Integer first = {};
+      SimdDouble weights[dim][stencil_width];
       for (int d = 0; d < dim; ++d)
         {
-          const SimdDouble x        = (position[d] - origin[d]) * inverse_spacing;
-          const auto node           = (x - 0.5).truncated();
-          const SimdDouble distance = x - SimdDouble::from_integer(node);
+          const SimdDouble x      = (position[d] - origin[d]) * inverse_spacing;
+          const auto node         = (x - 0.5).truncated();
+          const SimdDouble offset = x - SimdDouble::from_integer(node);
           first += node * Arena<dim>::stride(d);
-
-          SimdDouble weights[stencil_width];
-          quadratic_bspline(distance, weights);
-          for (int i = 0; i < stencil_width; ++i)
-            {
-              weights[i].store(&stencils.weights[d][i][p]);
-              (weights[i] * (i - distance)).store(&stencils.moments[d][i][p]);
-            }
+          quadratic_bspline(offset, weights[d]);
+          offset.store(&stencils.offsets[d][p]);
         }
       std::memcpy(&stencils.first[p], &first, sizeof(first));
+      for (int i = 0; i < stencil_width; ++i)
+        weights[0][i].store(&stencils.weights[i][p]);
+      for (int r = 0; r < n_stencil_rows<dim>; ++r)
+        {
+          SimdDouble weight = weights[1][r % stencil_width];
+          if constexpr (dim == 3)
+            weight *= weights[2][r / stencil_width];
+          weight.store(&stencils.row_weights[r][p]);
+        }
     }
 
   private:
@@ -76,26 +107,29 @@ namespace magmpm
     double inverse_spacing;
   };
 
-  /** The factors of the three nodes in a row along x, in all lanes, for particle @p p. */
+  /** @p lanes times the weight of each node's place in a row of particle @p p. */
+  template <int dim>
   inline NodeRow
-  row_factors(const double (&factors)[stencil_width][batch_size], const int p)
+  weighted_row(const StencilBatch<dim> &stencils, const NodeLanes &lanes, const int p)
   {
-    return {{factors[0][p], factors[1][p], factors[2][p]}};
+    NodeRow row;
+    for (int i = 0; i < stencil_width; ++i)
+      row.nodes[i] = stencils.weights[i][p] * lanes;
+    return row;
   }
 
+  /** The nodes of a row added up, with the weights of their places. */
   template <int dim>
-  inline constexpr int n_stencil_rows = power(stencil_width, dim - 1);
-
-  /** Distance in an arena from a stencil's first row to row @p r. */
-  template <int dim>
-  constexpr int
-  row_offset(const int r)
+  inline NodeLanes
+  weighted_sum(const StencilBatch<dim> &stencils, const NodeRow &row, const int p)
   {
-    const int in_plane = (r % stencil_width) * Arena<dim>::stride(1);
-    return dim == 2 ? in_plane : in_plane + (r / stencil_width) * Arena<dim>::stride(dim - 1);
+    NodeLanes sum = stencils.weights[0][p] * row.nodes[0];
+    for (int i = 1; i < stencil_width; ++i)
+      sum += stencils.weights[i][p] * row.nodes[i];
+    return sum;
   }
 
-  /** Adds N_i (value + slope (x_i - x_p)) of particle @p p to the rows of its stencil. */
+  /** Adds N_i times a linear function, both of particle @p p, to the rows of its stencil. */
   template <int dim>
   inline void
   add_linear(const StencilBatch<dim> &stencils,
@@ -103,33 +137,27 @@ namespace magmpm
              const int p,
              NodeRow (&rows)[n_stencil_rows<dim>])
   {
-    const auto lanes     = [&](const int i) { return NodeLanes::load(batch.numbers[p][i]); };
-    const NodeRow weight = row_factors(stencils.weights[0], p);
-    NodeRow along_x      = weight * lanes(0);
-    along_x.add(lanes(1), row_factors(stencils.moments[0], p));
-    const NodeRow slope_y = weight * lanes(2);
-    const auto add_plane  = [&](const NodeRow &value, const NodeRow &slope, const int first_row) {
-      for (int j = 0; j < stencil_width; ++j)
-        {
-          rows[first_row + j].add(stencils.weights[1][j][p], value);
-          rows[first_row + j].add(stencils.moments[1][j][p], slope);
-        }
-    };
-    if constexpr (dim == 2)
-      add_plane(along_x, slope_y, 0);
-    else
+    const auto lanes = [&](const int i) { return NodeLanes::load(batch.numbers[p][i]); };
+    NodeRow first;
+    NodeLanes value = lanes(0);
+    for (int i = 0; i < stencil_width; ++i, value += lanes(1))
+      first.nodes[i] = stencils.weights[i][p] * value;
+    const NodeRow step_y = weighted_row(stencils, lanes(2), p);
+    const NodeRow step_z = weighted_row(stencils, lanes(dim), p); // 3D only
+    for (int k = 0; k < (dim == 3 ? stencil_width : 1); ++k)
       {
-        const NodeRow slope_z = weight * lanes(3);
-        for (int k = 0; k < stencil_width; ++k)
+        NodeRow row = first;
+        for (int j = 0; j < stencil_width; ++j)
           {
-            NodeRow value = along_x * stencils.weights[2][k][p];
-            value.add(stencils.moments[2][k][p], slope_z);
-            add_plane(value, slope_y * stencils.weights[2][k][p], k * stencil_width);
+            const int r = j + stencil_width * k;
+            rows[r].add(stencils.row_weights[r][p], row);
+            row += step_y;
           }
+        first += step_z;
       }
   }
 
-  /** For particle @p p: sum_i N_i q_i, and sum_i N_i q_i (x_i - x_p)/dx along each direction. */
+  /** Sums over the stencil of particle @p p; see LinearBatch. */
   template <int dim>
   inline void
   sum_linear(const StencilBatch<dim> &stencils,
@@ -137,47 +165,29 @@ namespace magmpm
              const int p,
              LinearBatch<dim> &batch)
   {
-    const auto sum_plane = [&](const auto &factors, const int first_row) {
-      NodeRow sum = rows[first_row] * factors[0][p];
-      for (int j = 1; j < stencil_width; ++j)
-        sum.add(factors[j][p], rows[first_row + j]);
+    NodeRow by_y[stencil_width], by_z[stencil_width];
+    for (int r = 0; r < n_stencil_rows<dim>; ++r)
+      {
+        by_y[r % stencil_width].add(stencils.row_weights[r][p], rows[r]);
+        by_z[r / stencil_width].add(stencils.row_weights[r][p], rows[r]);
+      }
+    // 0 times the first, 1 times the second, 2 times the third.
+    const auto moment = [](const auto &first, const auto &second) {
+      auto sum = first;
+      sum += second;
+      sum += second;
       return sum;
     };
-    NodeRow sum, moment_y, moment_z;
-    if constexpr (dim == 2)
-      {
-        sum      = sum_plane(stencils.weights[1], 0);
-        moment_y = sum_plane(stencils.moments[1], 0);
-      }
-    else
-      for (int k = 0; k < stencil_width; ++k)
-        {
-          const NodeRow plane = sum_plane(stencils.weights[1], k * stencil_width);
-          sum.add(stencils.weights[2][k][p], plane);
-          moment_z.add(stencils.moments[2][k][p], plane);
-          moment_y.add(stencils.weights[2][k][p],
-                       sum_plane(stencils.moments[1], k * stencil_width));
-        }
-    const NodeRow weight = row_factors(stencils.weights[0], p);
-    const auto finish    = [&](const NodeRow &factors, const NodeRow &row, const int i) {
-      (factors * row).sum().store(batch.numbers[p][i]);
-    };
-    finish(weight, sum, 0);
-    finish(row_factors(stencils.moments[0], p), sum, 1);
-    finish(weight, moment_y, 2);
+    NodeRow sum = by_y[0];
+    sum += by_y[1];
+    sum += by_y[2];
+    const NodeLanes second = stencils.weights[1][p] * sum.nodes[1];
+    const NodeLanes third  = stencils.weights[2][p] * sum.nodes[2];
+    (stencils.weights[0][p] * sum.nodes[0] + second + third).store(batch.numbers[p][0]);
+    moment(second, third).store(batch.numbers[p][1]);
+    weighted_sum(stencils, moment(by_y[1], by_y[2]), p).store(batch.numbers[p][2]);
     if constexpr (dim == 3)
-      finish(weight, moment_z, 3);
-  }
-
-  /** The weight of row @p r of a stencil. */
-  template <int dim>
-  inline double
-  row_weight(const StencilBatch<dim> &stencils, const int r, const int p)
-  {
-    double weight = stencils.weights[1][r % stencil_width][p];
-    if constexpr (dim == 3)
-      weight *= stencils.weights[2][r / stencil_width][p];
-    return weight;
+      weighted_sum(stencils, moment(by_z[1], by_z[2]), p).store(batch.numbers[p][3]);
   }
 
   /** Adds N_i @p value of particle @p p to the rows of its stencil. */
@@ -188,9 +198,9 @@ namespace magmpm
                const int p,
                NodeRow (&rows)[n_stencil_rows<dim>])
   {
-    const NodeRow row = row_factors(stencils.weights[0], p) * value;
+    const NodeRow row = weighted_row(stencils, value, p);
     for (int r = 0; r < n_stencil_rows<dim>; ++r)
-      rows[r].add(row_weight(stencils, r, p), row);
+      rows[r].add(stencils.row_weights[r][p], row);
   }
 
   /** sum_i N_i q_i for particle @p p. */
@@ -202,8 +212,8 @@ namespace magmpm
   {
     NodeRow sum;
     for (int r = 0; r < n_stencil_rows<dim>; ++r)
-      sum.add(row_weight(stencils, r, p), rows[r]);
-    return (row_factors(stencils.weights[0], p) * sum).sum();
+      sum.add(stencils.row_weights[r][p], rows[r]);
+    return weighted_sum(stencils, sum, p);
   }
 
   /**
