@@ -42,6 +42,7 @@ namespace
     scene.n_particles        = 110592;
     scene.potential_unknowns = 44909;
     scene.memory             = 412e6;
+    scene.imbalance          = 1.134;
     scene.bodies             = {cube, drop};
     return scene;
   }
@@ -81,22 +82,28 @@ TEST_CASE("numbers are written as people read them", "[io]")
 
 TEST_CASE("terminal and log.txt hold the same header, from rank 0 alone", "[io][mpi]")
 {
-  // The header names version, instruction set, lattice, particles, unknowns and each body with what it is made of.
-  // Wave speeds: sqrt((5e5 + 8e5)/2500) = 22.8 m/s and sqrt(1e6/1000) = 31.6 m/s.
+  // The header names version, instruction set, lattice, particles, unknowns and each body with what it
+  // is made of. Wave speeds: sqrt((5e5 + 8e5)/2500) = 22.8 m/s and sqrt(1e6/1000) = 31.6 m/s. Where there
+  // are several ranks it tells how they share the load, and a line follows when they share it anew.
   const std::string folder = testing::fresh_folder("run_log-header");
   std::ostringstream terminal;
   {
     RunLog log(MPI_COMM_WORLD, folder, 200, 2e-3, terminal);
     log.header(cube_and_drop());
+    log.rebalanced(1.5, 1.04);
   }
   if (testing::this_rank() > 0)
     CHECK(terminal.str().empty());
   else
     {
+      const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
       const std::string expected =
-        "  3D, lattice dx = 7.81 mm, 110,592 particles, 44,909 potential unknowns, 412 MB\n"
+        "  3D, lattice dx = 7.81 mm, 110,592 particles, 44,909 potential unknowns, 412 MB" +
+        std::string(n_ranks > 1 ? ", load imbalance 1.13\n" : "\n") +
         "  cube: elastic, wave speed 22.8 m/s; Langevin, chi_0 = 0.912, saturation 82.3 kA/m\n"
-        "  drop: fluid, sound speed 31.6 m/s, viscosity 10 mPa s; not magnetic\n";
+        "  drop: fluid, sound speed 31.6 m/s, viscosity 10 mPa s; not magnetic\n"
+        "  load imbalance 1.5 on " +
+        std::to_string(n_ranks) + " ranks: cells and particles dealt out anew, now 1.04\n";
       CHECK(terminal.str().find(version_string() + ", " + simd_instruction_set + ", ") == 0);
       CHECK(terminal.str().find(expected) != std::string::npos);
       CHECK(testing::contents(folder + "/log.txt") == terminal.str());

