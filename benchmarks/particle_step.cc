@@ -23,14 +23,14 @@ using namespace magmpm::benchmarks;
 
 namespace
 {
-  /** Prints a row of ns per particle and step; returns the least time of all phases together. */
+  /** Prints a row of ns per particle and step; returns the least of all phases together. */
   double
   print_row(const std::string &name, const std::vector<PhaseTimes> &runs, const double per_step)
   {
     const auto print = [per_step](std::vector<double> seconds) {
       const Spread times = spread(std::move(seconds));
       std::printf(" | %6.1f %6.1f", per_step * times.least, per_step * times.median);
-      return times.least;
+      return per_step * times.least;
     };
     std::printf("%-14s", name.c_str());
     for (int phase = 0; phase < n_phases; ++phase)
