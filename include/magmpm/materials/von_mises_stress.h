@@ -10,7 +10,7 @@ namespace magmpm
    * Von Mises equivalent stress sqrt(3/2 s:s), s the deviator of @p stress (Cauchy) [Pa]. It equals
    * |sigma| in uniaxial tension and sqrt(3) |tau| in simple shear.
    */
-  template <typename Number>
+  template <typename Number = double>
   inline Number
   von_mises_stress(const Matrix<3, Number> &stress)
   {
@@ -27,7 +27,7 @@ namespace magmpm
    * The same in plane strain, where the stress @p out_of_plane (sigma_zz [Pa]) is not zero: each
    * material knows its own.
    */
-  template <typename Number>
+  template <typename Number = double>
   inline Number
   von_mises_stress(const Matrix<2, Number> &stress, const Number out_of_plane)
   {
