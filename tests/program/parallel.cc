@@ -49,8 +49,7 @@ subsection Magnetics
   end
 end
 subsection Time step
-  set Kind       = fixed
-  set Fixed step = 1.5e-4
+  set Time step = 1.5e-4
 end
 subsection Output
   set Frame interval = 0.03
