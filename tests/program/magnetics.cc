@@ -70,7 +70,7 @@ end
 )");
   }
 
-  const std::string fixed_schedule = " --set \"Time step/Time step=3e-4\" "
+  const std::string fixed_schedule = " --set \"Time step/Time step=2.5e-4\" "
                                      "--set \"Magnetics/Solve/When=every n steps\" "
                                      "--set \"Magnetics/Solve/Steps=10\" ";
 } // namespace
