@@ -280,13 +280,13 @@ TEST_CASE("von Mises stress of tension, shear and pressure", "[materials]")
 {
   // Tension: its strength; shear: sqrt(3) times it; pressure: none, in 2D only with the pressure
   // across the plane too.
-  CHECK(von_mises_stress({{{5., 0., 0.}, {0., 0., 0.}, {0., 0., 0.}}}) == Approx(5.));
-  CHECK(von_mises_stress({{{0., 0., 2.}, {0., 0., 0.}, {2., 0., 0.}}}) ==
+  CHECK(von_mises_stress(Matrix<3>{{{5., 0., 0.}, {0., 0., 0.}, {0., 0., 0.}}}) == Approx(5.));
+  CHECK(von_mises_stress(Matrix<3>{{{0., 0., 2.}, {0., 0., 0.}, {2., 0., 0.}}}) ==
         Approx(2. * std::sqrt(3.)));
   CHECK(von_mises_stress((-7.) * identity<3>()) == 0.);
   CHECK(von_mises_stress((-7.) * identity<2>(), -7.) == 0.);
   CHECK(von_mises_stress((-7.) * identity<2>(), 0.) == Approx(7.));
-  CHECK(von_mises_stress({{{0., 3.}, {3., 0.}}}, 0.) == Approx(3. * std::sqrt(3.)));
+  CHECK(von_mises_stress(Matrix<3>{{{0., 3.}, {3., 0.}}}, 0.) == Approx(3. * std::sqrt(3.)));
 }
 
 TEST_CASE("materials are made of the parameters of a scene", "[materials]")
