@@ -286,7 +286,7 @@ TEST_CASE("von Mises stress of tension, shear and pressure", "[materials]")
   CHECK(von_mises_stress((-7.) * identity<3>()) == 0.);
   CHECK(von_mises_stress((-7.) * identity<2>(), -7.) == 0.);
   CHECK(von_mises_stress((-7.) * identity<2>(), 0.) == Approx(7.));
-  CHECK(von_mises_stress(Matrix<3>{{{0., 3.}, {3., 0.}}}, 0.) == Approx(3. * std::sqrt(3.)));
+  CHECK(von_mises_stress(Matrix<2>{{{0., 3.}, {3., 0.}}}, 0.) == Approx(3. * std::sqrt(3.)));
 }
 
 TEST_CASE("materials are made of the parameters of a scene", "[materials]")
