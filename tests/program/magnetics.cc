@@ -70,7 +70,7 @@ end
 )");
   }
 
-  const std::string fixed_schedule = " --set \"Time step/Time step=3e-4\" "
+  const std::string fixed_schedule = " --set \"Time step/Time step=2.5e-4\" "
                                      "--set \"Magnetics/Solve/When=every n steps\" "
                                      "--set \"Magnetics/Solve/Steps=10\" ";
 } // namespace
@@ -90,7 +90,7 @@ TEST_CASE("The number of ranks changes nothing", "[program]")
     return Statistics(folder);
   };
   const Statistics one = run_on(1);
-  REQUIRE(one.n_rows() == 101);
+  REQUIRE(one.n_rows() == 121);
   REQUIRE(one.last("magnetic solves") >= 10.);
 
   for (const int n_ranks : {2, 3, 4, 8})
