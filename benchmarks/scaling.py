@@ -62,8 +62,7 @@ subsection Magnetics
   end
 end
 subsection Time step
-  set Kind       = fixed
-  set Fixed step = 2e-4
+  set Time step = 2e-4
 end
 subsection Output
   set Frame interval = 0.008
