@@ -49,7 +49,7 @@ subsection Magnetics
   end
 end
 subsection Time step
-  set Time step = 1.5e-4
+  set Time step = 1e-4
 end
 subsection Output
   set Frame interval = 0.03
@@ -84,6 +84,13 @@ end
     return Statistics(folder);
   }
 
+  /** Where the last Newton step only rounds, it may be one more or less. */
+  bool
+  may_differ(const std::string &heading)
+  {
+    return depends_on_ranks(heading) || heading == "Newton steps";
+  }
+
   double
   largest(const std::vector<double> &column)
   {
@@ -108,22 +115,22 @@ TEST_CASE("Ranks without particles change nothing", "[program]")
                             " --set \"End time=0.006\"";
   const Statistics one  = statistics_on(scene, "single-block", 1);
   const Statistics five = statistics_on(scene, "single-block", 5);
-  REQUIRE(one.n_rows() == 41);
-  check_equal_runs(one, four, 1e-9, depends_on_ranks);
+  REQUIRE(one.n_rows() == 61);
+  check_equal_runs(one, four, 1e-9, may_differ);
   CHECK(largest(four["fewest particles of a rank"]) == 0.);
 }
 
 TEST_CASE("A body crosses the whole box", "[program]")
 {
-  // It flies from one corner to the other in 200 steps, 50 cells in each direction, through the parts of
+  // It flies from one corner to the other in 300 steps, 50 cells in each direction, through the parts of
   // all ranks. The mesh goes with it: no particle is lost, the work stays shared out, the cells that it
   // leaves are coarsened again, and the run is the same as on one rank.
   const std::string scene = flying_squares(
     "crossing", "flyer", square("flyer", "0.03, 0.03", "0.11, 0.11", "16.667, 16.667"), magnetic);
   const Statistics one   = statistics_on(scene, "crossing", 1);
   const Statistics three = statistics_on(scene, "crossing", 3);
-  REQUIRE(one.n_rows() == 201);
-  check_equal_runs(one, three, 1e-9, depends_on_ranks);
+  REQUIRE(one.n_rows() == 301);
+  check_equal_runs(one, three, 1e-9, may_differ);
   CHECK(one.last("centre of mass x [m]") == Approx(0.57).epsilon(1e-3));
   CHECK(one.last("lost particles") == 0.);
   CHECK(three.last("migrated particles") > one.last("particles"));
@@ -146,8 +153,8 @@ TEST_CASE("All particles gather in one place", "[program]")
   const std::string scene = flying_squares("gathering", "a, b, c, d", bodies, elastic);
   const Statistics one    = statistics_on(scene, "gathering", 1);
   const Statistics four   = statistics_on(scene, "gathering", 4);
-  REQUIRE(one.n_rows() == 201);
-  check_equal_runs(one, four, 1e-9, depends_on_ranks);
+  REQUIRE(one.n_rows() == 301);
+  check_equal_runs(one, four, 1e-9, may_differ);
   const auto &fewest    = four["fewest particles of a rank"];
   const auto &imbalance = four["load imbalance [-]"];
   CHECK(fewest.front() == 0.25 * one.last("particles"));
