@@ -175,7 +175,7 @@ namespace magmpm
               arena.load(field, blocks, slot);
               for (std::size_t p = body.run_begin[slot]; p < body.run_begin[slot + 1]; ++p)
                 {
-                  const Surroundings around = surroundings(
+                  const Surroundings around = surroundings<dim>(
                     lattice, blocks.block(slot), body.particles.position(p), arena.data());
                   if (around.near_surface && around.fraction >= spray_fraction)
                     continue;

@@ -109,6 +109,7 @@ TEST_CASE("the cross product follows the right hand, in 2D its component across 
 TEST_CASE("a rotation about z moves points of the plane alike in 2D and 3D", "[base]")
 {
   // omega x r with omega = 3 e_z and r = (2, 5, 7) is (-15, 6, 0), whatever z is.
-  check_equal(rotation_velocity<3>(Vector<3>{{0., 0., 3.}}, Vector<3>{{2., 5., 7.}}), {{-15., 6., 0.}});
+  check_equal(rotation_velocity<3>(Vector<3>{{0., 0., 3.}}, Vector<3>{{2., 5., 7.}}),
+              {{-15., 6., 0.}});
   check_equal(rotation_velocity<2>(Vector<1>{{3.}}, Vector<2>{{2., 5.}}), {{-15., 6.}});
 }
