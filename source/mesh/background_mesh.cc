@@ -363,8 +363,9 @@ namespace magmpm
     for (std::size_t b = 0; b < blocks.size(); ++b)
       mesh.particles_in_block[block_key<dim>(blocks[b])] += weights[b];
 
+    const std::vector<Index<dim>> needed = dilated<dim>(blocks, 1);
     // The first mesh counts as one that does not serve: no cell of it was dealt out by weight.
-    const bool is_fine = mesh.is_fine(dilated<dim>(blocks, 1)) && the_revision > 0;
+    const bool is_fine = mesh.is_fine(needed) && the_revision > 0;
     MeshAdaptation result;
     result.imbalance_before = mesh.imbalance();
     result.imbalance        = result.imbalance_before;
@@ -381,9 +382,15 @@ namespace magmpm
         blocks.insert(blocks.end(), approached.begin(), approached.end());
         const auto refined =
           mesh.refined_cells(dilated<dim>(blocks, 1 + the_parameters.band_width));
-        // A level a time; only families on one rank are coarsened, as they are after each partition.
-        while (mesh.refine_and_coarsen(refined))
-          mesh.triangulation.repartition();
+        // A level a time; only families on one rank are coarsened. Where a family stays apart nothing
+        // changes any more: such cells are left, they are finer than they need be.
+        unsigned long long n_cells = 0;
+        while (mesh.refine_and_coarsen(refined) &&
+               (n_cells != mesh.triangulation.n_global_active_cells() || !mesh.is_fine(needed)))
+          {
+            n_cells = mesh.triangulation.n_global_active_cells();
+            mesh.triangulation.repartition();
+          }
       }
     mesh.triangulation.repartition();
     mesh.imbalance_after_partition = mesh.imbalance();
