@@ -17,6 +17,40 @@ namespace magmpm
   {
     using BlockKeys = std::unordered_set<std::uint64_t>;
 
+    /** Those of the cells that lie in a box of @p n_cells. */
+    template <int dim>
+    std::vector<Index<dim>>
+    within(const std::vector<Index<dim>> &cells, const Index<dim> &n_cells)
+    {
+      std::vector<Index<dim>> inside;
+      for (const Index<dim> &cell : cells)
+        {
+          bool is_inside = true;
+          for (int d = 0; d < dim; ++d)
+            is_inside = is_inside && cell[d] >= 0 && cell[d] < n_cells[d];
+          if (is_inside)
+            inside.push_back(cell);
+        }
+      return inside;
+    }
+
+    /** The cells of the next coarser level that hold these. */
+    template <int dim>
+    std::vector<Index<dim>>
+    parents(const std::vector<Index<dim>> &cells)
+    {
+      BlockKeys seen;
+      std::vector<Index<dim>> coarser;
+      for (Index<dim> cell : cells)
+        {
+          for (int &coordinate : cell)
+            coordinate >>= 1;
+          if (seen.insert(block_key<dim>(cell)).second)
+            coarser.push_back(cell);
+        }
+      return coarser;
+    }
+
     /** What the ranks hold, one after the other. */
     template <typename T>
     std::vector<T>
@@ -69,9 +103,13 @@ namespace magmpm
     Index<dim>
     block_of_cell(const CellIterator &cell) const;
 
-    /** Keys, by level, of the cells that hold one of the blocks. */
+    /**
+     * Keys, by level, of the cells that have children in the mesh whose finest cells cover the blocks, and
+     * that is coarse elsewhere but for 2:1 balance across faces, edges and corners. All ranks know them, so the
+     * mesh depends neither on the ranks nor on the meshes before it. Finer than blocks the key is the block's.
+     */
     std::vector<BlockKeys>
-    ancestors(const std::vector<Index<dim>> &blocks) const;
+    refined_cells(std::vector<Index<dim>> blocks) const;
 
     /** Whether all of these blocks (the same on all ranks) have cells of the finest level. */
     bool
@@ -81,9 +119,9 @@ namespace magmpm
     bool
     is_among(const std::vector<BlockKeys> &keys, const CellIterator &cell, const int level) const;
 
-    /** Refines the cells with these keys, and may coarsen those without. @return if there were any. */
+    /** Refines cells with these keys that have no children, coarsens those whose parent has no such key. */
     bool
-    refine_and_coarsen(const std::vector<BlockKeys> &fine, const bool coarsens);
+    refine_and_coarsen(const std::vector<BlockKeys> &refined);
 
     /** The weight of a cell for the partition: its share of the time of a step. */
     unsigned int
@@ -193,18 +231,33 @@ namespace magmpm
 
   template <int dim>
   std::vector<BlockKeys>
-  BackgroundMesh<dim>::Implementation::ancestors(const std::vector<Index<dim>> &blocks) const
+  BackgroundMesh<dim>::Implementation::refined_cells(std::vector<Index<dim>> blocks) const
   {
-    std::vector<BlockKeys> keys(box.root_level + 1);
-    for (const Index<dim> &block : blocks)
+    // Cells of a level, counted from the corner of the box; first those of the finest cells' parents.
+    std::vector<Index<dim>> cells;
+    for (Index<dim> block : blocks)
       if (box.holds(block))
-        for (int level = 0; level <= box.root_level; ++level)
-          {
-            Index<dim> ancestor;
-            for (int d = 0; d < dim; ++d)
-              ancestor[d] = (block[d] - box.lower[d]) >> (box.root_level - level);
-            keys[level].insert(block_key<dim>(ancestor));
-          }
+        {
+          for (int d = 0; d < dim; ++d)
+            block[d] -= box.lower[d];
+          cells.push_back(block);
+        }
+    if (finest_level == box.root_level)
+      cells = parents<dim>(cells);
+
+    std::vector<BlockKeys> keys(finest_level);
+    for (int level = finest_level - 1; level >= 0; --level)
+      {
+        for (const Index<dim> &cell : cells)
+          keys[level].insert(block_key<dim>(cell));
+        // A cell with children has neighbours of its own size, so their parents have children.
+        Index<dim> n_cells;
+        for (int d = 0; d < dim; ++d)
+          n_cells[d] = box.n_roots[d] << std::min(level, box.root_level);
+        cells = within<dim>(dilated<dim>(std::move(cells), 1), n_cells);
+        if (level <= box.root_level)
+          cells = parents<dim>(cells);
+      }
     return keys;
   }
 
@@ -240,25 +293,24 @@ namespace magmpm
     Index<dim> ancestor = place(cell);
     for (int d = 0; d < dim; ++d)
       ancestor[d] >>= cell->level() - key_level;
-    return keys[key_level].count(block_key<dim>(ancestor)) > 0;
+    return keys[level].count(block_key<dim>(ancestor)) > 0;
   }
 
   template <int dim>
   bool
-  BackgroundMesh<dim>::Implementation::refine_and_coarsen(const std::vector<BlockKeys> &fine,
-                                                          const bool coarsens)
+  BackgroundMesh<dim>::Implementation::refine_and_coarsen(const std::vector<BlockKeys> &refined)
   {
     bool any = false;
     for (const auto &cell : triangulation.active_cell_iterators())
       if (cell->is_locally_owned())
         {
           const int level = cell->level();
-          if (level < finest_level && is_among(fine, cell, level))
+          if (level < finest_level && is_among(refined, cell, level))
             {
               cell->set_refine_flag();
               any = true;
             }
-          else if (coarsens && level > 0 && !is_among(fine, cell, level - 1))
+          else if (level > 0 && !is_among(refined, cell, level - 1))
             {
               cell->set_coarsen_flag();
               any = true;
@@ -311,8 +363,9 @@ namespace magmpm
     for (std::size_t b = 0; b < blocks.size(); ++b)
       mesh.particles_in_block[block_key<dim>(blocks[b])] += weights[b];
 
+    const std::vector<Index<dim>> needed = dilated<dim>(blocks, 1);
     // The first mesh counts as one that does not serve: no cell of it was dealt out by weight.
-    const bool is_fine = mesh.is_fine(dilated<dim>(blocks, 1)) && the_revision > 0;
+    const bool is_fine = mesh.is_fine(needed) && the_revision > 0;
     MeshAdaptation result;
     result.imbalance_before = mesh.imbalance();
     result.imbalance        = result.imbalance_before;
@@ -327,11 +380,17 @@ namespace magmpm
       {
         const auto approached = of_all_ranks(the_communicator, local_approached);
         blocks.insert(blocks.end(), approached.begin(), approached.end());
-        const auto wanted = mesh.ancestors(dilated<dim>(blocks, 1 + the_parameters.band_width));
-        // Coarsening only once, or 2:1 balance and coarsening could undo each other for ever.
-        mesh.refine_and_coarsen(wanted, true);
-        while (mesh.refine_and_coarsen(wanted, false))
-          ;
+        const auto refined =
+          mesh.refined_cells(dilated<dim>(blocks, 1 + the_parameters.band_width));
+        // A level a time; only families on one rank are coarsened. Where a family stays apart nothing
+        // changes any more: such cells are left, they are finer than they need be.
+        unsigned long long n_cells = 0;
+        while (mesh.refine_and_coarsen(refined) &&
+               (n_cells != mesh.triangulation.n_global_active_cells() || !mesh.is_fine(needed)))
+          {
+            n_cells = mesh.triangulation.n_global_active_cells();
+            mesh.triangulation.repartition();
+          }
       }
     mesh.triangulation.repartition();
     mesh.imbalance_after_partition = mesh.imbalance();
