@@ -115,8 +115,8 @@ TEST_CASE("the columns of a scene have units of its dimension", "[io]")
   // are per metre of depth, and there is one angular momentum.
   const auto columns_3d = statistics_columns<3>({"cube", "drop"}, {"P2G", "G2P"});
   const auto columns_2d = statistics_columns<2>({"cube", "drop"}, {"P2G", "G2P"});
-  CHECK(columns_3d.size() == 13 + 3 * 3 + 6 + 2 * 6 + 9 + 2);
-  CHECK(columns_2d.size() == 13 + 2 + 1 + 2 + 6 + 2 * 4 + 9 + 2);
+  CHECK(columns_3d.size() == 15 + 3 * 3 + 6 + 2 * 6 + 9 + 2);
+  CHECK(columns_2d.size() == 15 + 2 + 1 + 2 + 6 + 2 * 4 + 9 + 2);
 
   std::string headings;
   for (const StatisticsColumn &column : columns_2d)
