@@ -19,7 +19,7 @@ namespace
     return write_scene(name,
                        R"(
 set Dimension = 3
-set End time  = 0.03
+set End time  = 0.025
 set Gravity   = 0, 0, -9.81
 subsection Box
   set Upper corner = 0.32, 0.32, 0.32
@@ -63,7 +63,7 @@ subsection Magnetics
   set Newton tolerance  = 1e-13
 end
 subsection Output
-  set Frame interval = 0.015
+  set Frame interval = 0.0125
   set Particles = false
   set Fields    = false
 end

@@ -114,7 +114,7 @@ TEST_CASE("Ranks without particles change nothing", "[program]")
                                            magnetic) +
                             " --set \"End time=0.006\"";
   const Statistics one  = statistics_on(scene, "single-block", 1);
-  const Statistics five = statistics_on(scene, "single-block", 5);
+  const Statistics four = statistics_on(scene, "single-block", 4);
   REQUIRE(one.n_rows() == 61);
   check_equal_runs(one, five, 1e-9, may_differ);
   CHECK(largest(five["fewest particles of a rank"]) == 0.);
