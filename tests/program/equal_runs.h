@@ -29,7 +29,7 @@ namespace magmpm::testing
     return heading.find("wall time") != std::string::npos;
   }
 
-  /** What the number of ranks is allowed to change; a last Newton step that only rounds is one more or less. */
+  /** What the number of ranks may change: a last Newton step that only rounds is one more or less. */
   inline bool
   depends_on_ranks(const std::string &heading)
   {
