@@ -15,7 +15,8 @@ namespace magmpm
       std::ostringstream text;
       if (limit == "elastic")
         text << "Elastic factor times dx/(c + |v|), c + |v| = " << conditions.signal_speed
-             << " m/s, and " << conditions.magnetic_wave_speed << " m/s of magnetic waves; a magnet "
+             << " m/s, and " << conditions.magnetic_wave_speed
+             << " m/s of magnetic waves; a magnet "
              << "moves at " << conditions.collider_speed << " m/s";
       else if (limit == "viscous")
         text << "Viscous factor times rho dx^2/mu_N, mu_N/rho = " << conditions.kinematic_viscosity
@@ -61,11 +62,12 @@ namespace magmpm
       return {parameters.fixed_step, "fixed"};
 
     std::ostringstream message;
-    message << "at t = " << time << " s the given Time step/Time step (" << parameters.fixed_step
-            << " s) is longer than the " << limit.limit << " limit, " << limit.length
-            << " s: " << formula_of(limit.limit, conditions)
-            << ". Take 'Time step = auto' or a shorter one in the section 'Time step', or, for a run "
-               "that may go astray, 'Allow unstable time step = true'.";
+    message
+      << "at t = " << time << " s the given Time step/Time step (" << parameters.fixed_step
+      << " s) is longer than the " << limit.limit << " limit, " << limit.length
+      << " s: " << formula_of(limit.limit, conditions)
+      << ". Take 'Time step = auto' or a shorter one in the section 'Time step', or, for a run "
+         "that may go astray, 'Allow unstable time step = true'.";
     if (time > 0.)
       throw RunError(message.str());
     throw InputError(message.str());

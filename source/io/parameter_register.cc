@@ -195,14 +195,13 @@ namespace magmpm
   {
     const std::string word = "auto";
     const NumberPattern pattern(range, 1, false, false, word);
-    declare(
-      {current_section, name, word, pattern.description(), unit, text, Presence::has_default},
-      pattern,
-      [&variable, word](const std::string &value) {
-        variable = 0.;
-        if (value != word)
-          read_number(value, variable);
-      });
+    declare({current_section, name, word, pattern.description(), unit, text, Presence::has_default},
+            pattern,
+            [&variable, word](const std::string &value) {
+              variable = 0.;
+              if (value != word)
+                read_number(value, variable);
+            });
   }
 
   void

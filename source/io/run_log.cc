@@ -133,7 +133,8 @@ namespace magmpm
   void
   RunLog::header(const Scene &scene)
   {
-    *both << version_string() << ", " << simd_instruction_set << ", " << n_ranks << (n_ranks == 1 ? " rank" : " ranks") << '\n'
+    *both << version_string() << ", " << simd_instruction_set << ", " << n_ranks
+          << (n_ranks == 1 ? " rank" : " ranks") << '\n'
           << "  " << scene.dimension
           << "D, lattice dx = " << with_prefix(scene.lattice_spacing, "m") << ", "
           << with_separators(scene.n_particles) << " particles, ";

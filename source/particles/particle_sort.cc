@@ -22,12 +22,12 @@ namespace magmpm
       void
       add(Index<dim> node, const bool is_magnetic)
       {
-        ++count_of(block_of<dim>(node));
+        ++count_of(block_of<dim>(node), last);
         if (with_force_margin && is_magnetic)
           {
             for (int &coordinate : node)
               ++coordinate;
-            count_of(block_of<dim>(node));
+            count_of(block_of<dim>(node), last_of_margin);
           }
       }
 
@@ -43,16 +43,28 @@ namespace magmpm
       }
 
     private:
-      unsigned int &
-      count_of(const Index<dim> &block)
+      /** The block of the particle before, which is mostly that of the next one too. */
+      struct Last
       {
-        const auto [entry, is_new] = counts.emplace(block_key<dim>(block), 0);
-        if (is_new)
-          blocks.push_back(block);
-        return entry->second;
+        Index<dim> block    = {};
+        unsigned int *count = nullptr;
+      };
+
+      unsigned int &
+      count_of(const Index<dim> &block, Last &last)
+      {
+        if (last.count == nullptr || last.block != block)
+          {
+            const auto [entry, is_new] = counts.try_emplace(block_key<dim>(block), 0);
+            if (is_new)
+              blocks.push_back(block);
+            last = {block, &entry->second};
+          }
+        return *last.count;
       }
 
       const bool with_force_margin;
+      Last last, last_of_margin;
       std::unordered_map<std::uint64_t, unsigned int> counts;
       std::vector<Index<dim>> blocks;
     };

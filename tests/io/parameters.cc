@@ -193,11 +193,9 @@ TEST_CASE("Magnets can be switched off in their list", "[io]")
 // scene again. That the complete values agree shows it for every parameter at once.
 TEST_CASE("Values from the command line override the file and are kept", "[io]")
 {
-  const Parameters<3> scene = read<3>(cube_text,
-                                      {"End time=1",
-                                       "End time = 2",
-                                       "Bodies/cube/Density=1234",
-                                       "Time step/Time step=1e-5"});
+  const Parameters<3> scene =
+    read<3>(cube_text,
+            {"End time=1", "End time = 2", "Bodies/cube/Density=1234", "Time step/Time step=1e-5"});
   CHECK(scene.end_time == 2.);
   CHECK(scene.bodies[0].density == 1234.);
   CHECK(scene.time_step.fixed_step == 1e-5);

@@ -88,8 +88,8 @@ TEST_CASE("Questions to the program", "[program]")
 
   const Outcome help = run_magmpm("--help");
   CHECK(help.exit_code == 0);
-  CHECK(help.output.rfind("magmpm FILE.prm [--resume] [--set \"Section/Name=value\"]... [--validate]", 0) ==
-        0);
+  CHECK(help.output.rfind(
+          "magmpm FILE.prm [--resume] [--set \"Section/Name=value\"]... [--validate]", 0) == 0);
 
   const Outcome parameters = run_magmpm("--print-parameters");
   CHECK(parameters.exit_code == 0);

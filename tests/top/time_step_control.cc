@@ -159,7 +159,8 @@ TEST_CASE("a fixed step beyond a limit is refused", "[top]")
   conditions.signal_speed = 0.8;
   const std::string message =
     "s the given Time step/Time step (0.01 s) is longer than the elastic limit, 0.005 s: Elastic "
-    "factor times dx/(c + |v|), c + |v| = 0.8 m/s, and 0 m/s of magnetic waves; a magnet moves at 0 "
+    "factor times dx/(c + |v|), c + |v| = 0.8 m/s, and 0 m/s of magnetic waves; a magnet moves at "
+    "0 "
     "m/s. Take 'Time step = auto' or a shorter one in the section 'Time step', or, for a run that "
     "may go astray, 'Allow unstable time step = true'.";
   CHECK_THROWS_AS(control.next_step(conditions, 0., no_frame), InputError);

@@ -17,7 +17,7 @@ namespace magmpm
       help
     };
 
-    Task task = Task::run;
+    Task task   = Task::run;
     bool resume = false;                ///< from the latest checkpoint
     std::string file;                   ///< empty if the task needs none
     std::vector<std::string> overrides; ///< what follows each --set

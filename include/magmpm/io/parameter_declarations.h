@@ -27,8 +27,8 @@ namespace magmpm
   {
     int dimension = dim;
     Vector<dim> lower_corner, upper_corner;
-    double cell_size   = 0.;
-    double temperature = 300.;
+    double cell_size             = 0.;
+    double temperature           = 300.;
     std::string checkpoint_every = "10 min", end_wall_time = "never";
     std::vector<std::string> body_names, material_names, magnet_names;
     std::vector<MaterialInput> materials; ///< in the order of material_names

@@ -38,7 +38,7 @@ namespace magmpm
   /** How far the files of a run got, for a checkpoint. */
   struct ResultsProgress
   {
-    std::uintmax_t statistics_size = 0; ///< [bytes]
+    std::uintmax_t statistics_size = 0;                                        ///< [bytes]
     std::vector<std::pair<double, std::string>> particle_frames, field_frames; ///< time [s], file
     unsigned int n_solves = 0; ///< of the potential, until the last line of the log
 

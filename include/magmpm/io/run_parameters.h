@@ -29,7 +29,7 @@ namespace magmpm
     };
 
     Trigger trigger         = Trigger::when_changed;
-    double moved_fraction   = 0.15;  ///< of dx
+    double moved_fraction   = 0.15; ///< of dx
     double changed_fraction = 0.01; ///< of the largest external field
     int n_steps             = 10;
   };

@@ -26,7 +26,7 @@ namespace magmpm
     std::size_t migrated_particles = 0; ///< so far, all ranks
 
     unsigned int mesh_changes = 0; ///< so far
-    double imbalance = 1.;         ///< load of the most loaded rank over the mean, at the last sort
+    double imbalance     = 1.;     ///< load of the most loaded rank over the mean, at the last sort
     double density_error = 0.; ///< mean |J - J of the lattice| of fluids, at the last relaxation
 
     double max_speed = 0.; ///< of a particle in the last step [m/s]
