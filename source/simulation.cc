@@ -78,8 +78,11 @@ namespace magmpm
           std::pow(parameters.lattice.spacing / body.particles_per_edge, dim);
         typical_particle_mass = std::max(typical_particle_mass, body.density * particle_volume);
       }
+    // Results have begun anew, or go on: an older checkpoint no longer belongs to them.
     if (checkpoint)
       restore(*checkpoint);
+    else
+      checkpoints.clear();
   }
 
   template <int dim>
@@ -221,7 +224,6 @@ namespace magmpm
   Simulation<dim>::begin()
   {
     seed_bodies();
-    checkpoints.clear();
     set_up_decomposition();
     external_field.set_time(0.);
     step_conditions.acceleration = norm(parameters.gravity);

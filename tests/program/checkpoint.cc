@@ -152,40 +152,44 @@ TEST_CASE("A resumed run is the straight run", "[program]")
 
 TEST_CASE("A killed run loses nothing past its checkpoint", "[program]")
 {
-  // SIGKILL at 20 random moments, also while a checkpoint, a frame or a row is being written. Each time
-  // the run goes on from the latest checkpoint, which is never older than the one before, and in the end
-  // there is what the straight run wrote: no row or frame twice, none missing.
-  const std::string scene = disc_and_drop("killed") + " --set \"Checkpoint every=1 frame\" ";
+  // SIGKILL at 20 random moments, also while a checkpoint, a frame or a row is being written, or when
+  // a frame and rows were written after the last checkpoint. Each time the run goes on from the latest
+  // checkpoint, which is never older than the one before, and in the end there is what the straight run
+  // wrote: no row or frame twice, none missing.
+  const std::string scene = disc_and_drop("killed");
   const auto start        = std::chrono::steady_clock::now();
   require_success(run_magmpm(scene + in_folder("not-killed")));
   const double seconds =
     std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
+  std::filesystem::remove_all("killed");
   std::mt19937 random(7);
-  std::uniform_real_distribution<double> moment(0.2, 0.6 * seconds);
-  int n_killed = 0, latest = -1;
-  for (int attempt = 0; n_killed < 20 || latest >= 0; ++attempt)
+  std::uniform_real_distribution<double> moment(0.3 * seconds, 0.9 * seconds);
+  int n_killed = 0, n_resumed = 0, latest = -1;
+  for (bool is_complete = false; n_killed < 20 || !is_complete;)
     {
-      REQUIRE(attempt < 200);
       const std::string limit = n_killed < 20
                                   ? "timeout -s KILL " + std::to_string(moment(random)) + " "
                                   : "";
-      const Outcome outcome   = run(limit + MAGMPM_EXECUTABLE + (latest >= 0 ? " --resume " : " ") +
+      n_resumed += (latest >= 0);
+      const Outcome outcome = run(limit + MAGMPM_EXECUTABLE + (latest >= 0 ? " --resume " : " ") +
                                   scene + in_folder("killed"));
-      if (outcome.exit_code == 0)
+      INFO(outcome.output << outcome.errors);
+      is_complete = (outcome.exit_code == 0);
+      if (is_complete)
         {
           check_complete("killed", "not-killed", 1e-12, is_wall_time);
           latest = -1; // from the start again, until it was killed often enough
           std::filesystem::remove_all("killed");
           continue;
         }
-      INFO(outcome.output << outcome.errors);
       REQUIRE(outcome.exit_code == 137);
       ++n_killed;
       const int step = latest_step("killed");
       CHECK(step >= latest);
       latest = step;
     }
+  CHECK(n_resumed >= 5);
 }
 
 TEST_CASE("A run that is asked to stop writes a checkpoint", "[program]")
