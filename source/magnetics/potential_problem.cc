@@ -161,8 +161,9 @@ namespace magmpm
     jacobian.clear();
     solution.space = std::make_unique<const PotentialSpace<dim>>(
       mesh, parameters.preconditioner == Preconditioner::gmg);
-    solution.potential = solution.space->make_vector();
-    revision           = mesh.revision();
+    // Assignment would keep the old exchange pattern where the ranks own as many values as before.
+    solution.potential.reinit(solution.space->make_vector());
+    revision = mesh.revision();
 
     jacobian.initialize(solution.space->matrix_free);
     solver = make_potential_solver<dim>(parameters.preconditioner, *solution.space);
