@@ -34,10 +34,13 @@ else()
   endforeach()
 endif()
 
-find_package(VTK QUIET COMPONENTS CommonCore CommonDataModel IOXML)
+set(vtk_components CommonCore CommonDataModel CommonExecutionModel FiltersCore FiltersGeneral
+                   FiltersModeling FiltersSources IOGeometry IOPLY IOXML)
+find_package(VTK QUIET COMPONENTS ${vtk_components})
 if(NOT VTK_FOUND)
+  list(JOIN vtk_components ", " vtk_component_list)
   string(APPEND missing_features
-         "\n  VTK with CommonCore, CommonDataModel and IOXML was not found (set VTK_DIR)")
+         "\n  VTK with ${vtk_component_list} was not found (set VTK_DIR)")
 endif()
 
 find_package(Catch2 QUIET)

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <magmpm/base/tensor.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace magmpm
+{
+  /** The smallest box around something [m]. */
+  template <int dim>
+  struct BoundingBox
+  {
+    Vector<dim> lower, upper;
+  };
+
+  /** The nearest point of a surface, seen from a point. */
+  template <int dim>
+  struct SurfaceDistance
+  {
+    double distance;    ///< negative inside [m]
+    Vector<dim> normal; ///< of length 1, outward, at the nearest point
+  };
+
+  /** Volume and its moments, of a shape filled with density 1; in 2D per metre of depth. */
+  template <int dim>
+  struct VolumeMoments
+  {
+    double volume; ///< [m^3], in 2D [m^2]
+    Vector<dim> centroid;
+    Matrix<dim> second; ///< integral of r r^T about the centroid [m^5], in 2D [m^4]
+  };
+
+  /**
+   * A closed region of space: a body is seeded in it, a magnet or a rigid body has it. All points
+   * are in the frame of the shape, which whoever holds it places in the world (Pose).
+   */
+  template <int dim>
+  class Shape
+  {
+  public:
+    virtual ~Shape() = default;
+
+    virtual bool
+    contains(const Vector<dim> &point) const = 0;
+
+    virtual SurfaceDistance<dim>
+    surface_distance(const Vector<dim> &point) const = 0;
+
+    virtual BoundingBox<dim>
+    bounding_box() const = 0;
+
+    virtual VolumeMoments<dim>
+    volume_moments() const = 0;
+
+    /** Points all over the surface, edges and corners among them, at most @p spacing [m] apart. */
+    virtual std::vector<Vector<dim>>
+    surface_points(const double spacing) const = 0;
+  };
+
+  enum class ShapeType
+  {
+    box,
+    sphere,   ///< a disc in 2D
+    cylinder, ///< 3D only
+    mesh      ///< the inside of a closed triangle mesh, 3D only
+  };
+
+  /** A shape as a parameter file gives it. */
+  template <int dim>
+  struct ShapeParameters
+  {
+    ShapeType type = ShapeType::box;
+    Vector<dim> lower_corner, upper_corner; ///< box [m]
+    Vector<dim> centre;                     ///< sphere, cylinder (middle of the axis) [m]
+    double radius = 0.;                     ///< sphere, cylinder [m]
+    Vector<dim> axis;                       ///< cylinder: direction of the axis, any length
+    double length = 0.;                     ///< cylinder [m]
+
+    std::string file; ///< mesh: STL, OBJ or PLY; then scaled, rotated about its origin, translated
+    double scale = 1.;
+    Vector<n_axial_components<dim>> rotation; ///< axis times angle [rad]
+    Vector<dim> translation;                  ///< [m]
+  };
+
+  /**
+   * @throw InputError  if a mesh cannot be read or is not closed; names the file, says what is
+   *                    wrong and what to do.
+   */
+  template <int dim>
+  std::unique_ptr<Shape<dim>>
+  make_shape(const ShapeParameters<dim> &parameters);
+} // namespace magmpm

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <magmpm/io/parameter_declarations.h>
+
+/** The larger sections of a parameter file, each declared in a file of its own. */
+namespace magmpm
+{
+  inline const NumberRange at_least_one = {1., any_number.maximum, false, false};
+
+  /** Names of the faces of a box in the order of WallParameters. */
+  inline const std::vector<std::string> face_names =
+    {"Lower x", "Upper x", "Lower y", "Upper y", "Lower z", "Upper z"};
+
+  /** One of the bodies: its shape, material and start. */
+  template <int dim>
+  void
+  declare_body(ParameterRegister &declarations, BodyParameters<dim> &body);
+
+  void
+  declare_material(ParameterRegister &declarations,
+                   const std::string &name,
+                   MaterialInput &material);
+
+  /** One of the magnets. */
+  template <int dim>
+  void
+  declare_source(ParameterRegister &declarations, SourceParameters<dim> &source);
+
+  /** The section Magnetics: law, potential, solvers. */
+  template <int dim>
+  void
+  declare_magnetics(ParameterRegister &declarations,
+                    ParameterInput<dim> &input,
+                    Parameters<dim> &parameters);
+} // namespace magmpm
