@@ -25,6 +25,7 @@ namespace magmpm
     double kinematic_viscosity = 0.; ///< J mu_N/rho_0 [m^2/s]
     double acceleration        = 0.; ///< of gravity and magnets [m/s^2]
     double affine_velocity     = 0.; ///< |C| [1/s]
+    double attraction          = 0.; ///< of the artificial attraction [m/s^2]
 
     template <typename Archive>
     void
@@ -36,6 +37,7 @@ namespace magmpm
       archive &kinematic_viscosity;
       archive &acceleration;
       archive &affine_velocity;
+      archive &attraction;
     }
   };
 

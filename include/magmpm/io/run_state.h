@@ -45,6 +45,11 @@ namespace magmpm
     double path_since_solve   = 0.; ///< the sum of the steps of the fastest particles [m]
     double carried_way        = 0.; ///< for which the carried force was advanced [m]
 
+    double attraction = 0.; ///< g0 of the artificial attraction, matched to the magnets [m/s^2]
+
+    /** Since when the material is at rest [s]; negative: it is not. */
+    double rest_since = -1.;
+
     template <typename Archive>
     void
     serialize(Archive &archive, const unsigned int /*version*/)
@@ -72,6 +77,8 @@ namespace magmpm
       archive &drift_since_solve;
       archive &path_since_solve;
       archive &carried_way;
+      archive &attraction;
+      archive &rest_since;
     }
   };
 } // namespace magmpm

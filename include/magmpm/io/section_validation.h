@@ -12,6 +12,23 @@ namespace magmpm
                     const ParameterInput<dim> &input,
                     Parameters<dim> &parameters);
 
+  /** Reads the file of the magnetization curve, where the law needs one. */
+  template <int dim>
+  void
+  convert_magnetization_curve(const ParameterRegister &declarations,
+                              const ParameterInput<dim> &input,
+                              MagneticsParameters<dim> &magnetics);
+
+  template <int dim>
+  void
+  convert_attraction(const ParameterRegister &declarations,
+                     const ParameterInput<dim> &input,
+                     Parameters<dim> &parameters);
+
+  template <int dim>
+  void
+  check_rest(const ParameterRegister &declarations, const Parameters<dim> &parameters);
+
   template <int dim>
   void
   check_bodies(const ParameterRegister &declarations,
