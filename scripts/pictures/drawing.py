@@ -14,14 +14,21 @@ BODY_COLOURS = ((0.10, 0.22, 0.36), (0.72, 0.30, 0.16), (0.16, 0.42, 0.30), (0.4
                 (0.75, 0.58, 0.18), (0.30, 0.30, 0.32))
 
 
-def colours_between(low, high):
+def colours_between(low, high, logarithmic=False):
     """The colour map 'viridis', for values from low to high."""
-    colours = vtk.vtkColorTransferFunction()
     anchors = ((0.267, 0.005, 0.329), (0.283, 0.141, 0.458), (0.230, 0.322, 0.546),
                (0.173, 0.449, 0.558), (0.128, 0.567, 0.551), (0.158, 0.684, 0.502),
                (0.369, 0.789, 0.383), (0.678, 0.864, 0.190), (0.993, 0.906, 0.144))
+    between = vtk.vtkColorTransferFunction()
     for i, colour in enumerate(anchors):
-        colours.AddRGBPoint(low + (high - low) * i / (len(anchors) - 1), *colour)
+        between.AddRGBPoint(255 * i / (len(anchors) - 1), *colour)
+    colours = vtk.vtkLookupTable()
+    colours.SetNumberOfTableValues(256)
+    for i in range(256):
+        colours.SetTableValue(i, *between.GetColor(i), 1)
+    colours.SetRange(low, high)
+    if logarithmic:
+        colours.SetScaleToLog10()
     return colours
 
 
@@ -33,6 +40,7 @@ def add_mapped(renderer, mapper, colours=None):
         mapper.SetScalarModeToUsePointFieldData()
         mapper.SelectColorArray("colour")
         mapper.SetLookupTable(colours)
+        mapper.UseLookupTableScalarRangeOn()
     actor = vtk.vtkActor()
     actor.SetMapper(mapper)
     actor.GetProperty().SetAmbient(0.35)
@@ -66,6 +74,28 @@ def add_surface(renderer, surface, colour, colours):
         look.SetSpecular(0.35)
         look.SetSpecularPower(30)
     return actor
+
+
+def add_tubes(renderer, lines, arrows, radius, colours):
+    """Lines with an arrow head on each, in the colours of their numbers."""
+    tubes, mapper = vtk.vtkTubeFilter(), vtk.vtkPolyDataMapper()
+    tubes.SetInputData(lines)
+    tubes.SetRadius(radius)
+    tubes.SetNumberOfSides(10)
+    mapper.SetInputConnection(tubes.GetOutputPort())
+    add_mapped(renderer, mapper, colours)
+
+    cone, heads, mapper = vtk.vtkConeSource(), vtk.vtkGlyph3D(), vtk.vtkPolyDataMapper()
+    cone.SetResolution(16)
+    cone.SetHeight(8 * radius)
+    cone.SetRadius(3 * radius)
+    heads.SetInputData(arrows)
+    heads.SetSourceConnection(cone.GetOutputPort())
+    heads.SetVectorModeToUseVector()
+    heads.SetScaleModeToDataScalingOff()
+    heads.SetColorModeToColorByScalar()
+    mapper.SetInputConnection(heads.GetOutputPort())
+    add_mapped(renderer, mapper, colours)
 
 
 def add_sphere(renderer, sphere):
@@ -136,6 +166,7 @@ def colour_bar(colours, name, width, height):
     bar.SetLookupTable(colours)
     bar.SetOrientationToHorizontal()
     bar.SetTextPositionToPrecedeScalarBar()
+    bar.SetMaximumNumberOfColors(256)
     bar.SetNumberOfLabels(5)
     bar.SetLabelFormat("%.3g")
     bar.SetPosition(0.35, 0.1)
@@ -179,7 +210,12 @@ def place_camera(renderer, low, high, direction, aspect):
     half = [0.5 * (b - a) for a, b in zip(low, high)]
     width = sum(abs(r) * h for r, h in zip(right, half))
     height = sum(abs(u) * h for u, h in zip(upward, half))
-    camera.SetParallelScale(1.1 * max(height, width / aspect, 1e-12))
+    scale = 1.15 * max(height, width / aspect, 1e-12)
+    camera.SetParallelScale(scale)
+    # A little up, for the time is written below.
+    for place, move in ((camera.GetFocalPoint(), camera.SetFocalPoint),
+                        (camera.GetPosition(), camera.SetPosition)):
+        move(*[p - 0.07 * scale * u for p, u in zip(place, upward)])
 
 
 def shade_corners(renderer, size):

@@ -3,7 +3,7 @@
 import numpy
 import vtk
 
-from pictures.quantities import as_array, numbers_of, points_of
+from pictures.quantities import as_array, numbers_of, points_of, points_with
 
 MOST_NODES = 8_000_000
 
@@ -111,10 +111,20 @@ def with_normals(surface):
     return normals.GetOutput()
 
 
+def cut_open(surface, point, normal):
+    """The part of a closed surface on the side of a plane to which the normal points, closed."""
+    plane, planes, clip = vtk.vtkPlane(), vtk.vtkPlaneCollection(), vtk.vtkClipClosedSurface()
+    plane.SetOrigin(*point)
+    plane.SetNormal(*normal)
+    planes.AddItem(plane)
+    clip.SetInputData(surface)
+    clip.SetClippingPlanes(planes)
+    clip.Update()
+    return clip.GetOutput()
+
+
 def with_numbers(surface, positions, values, radius):
     """The surface with one number at each point: the mean over the particles around."""
-    from pictures.quantities import points_with
-
     kernel, interpolator = vtk.vtkGaussianKernel(), vtk.vtkPointInterpolator()
     kernel.SetRadius(3 * radius)
     kernel.SetSharpness(2)
