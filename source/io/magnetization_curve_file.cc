@@ -1,9 +1,10 @@
 #include <magmpm/base/exceptions.h>
 #include <magmpm/io/given_parameters.h>
+#include <magmpm/io/input_file.h>
 #include <magmpm/io/magnetization_curve_file.h>
 #include <magmpm/io/section_validation.h>
 
-#include <filesystem>
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 
@@ -100,12 +101,14 @@ namespace magmpm
       return check_given(
         declarations, "Magnetics", {}, curve, "this law (Magnetization law is not table)");
     check_given(declarations, "Magnetics", curve, {}, "Magnetization law = table");
-    std::ifstream file(input.magnetization_curve);
+    const std::string name =
+      find_input_file(declarations, "Magnetics/Magnetization curve", input.magnetization_curve);
+    std::ifstream file(name);
     if (!file)
       throw declarations.error("Magnetics/Magnetization curve",
-                               "this file cannot be read. Correct the name.");
-    magnetics.curve = std::make_shared<const MagnetizationCurve>(
-      read_magnetization_curve(file, input.magnetization_curve));
+                               "this file cannot be opened; are you allowed to read it?");
+    magnetics.curve =
+      std::make_shared<const MagnetizationCurve>(read_magnetization_curve(file, name));
   }
 
   template void
