@@ -4,8 +4,8 @@
 #include <mechanics/scene_run.h>
 #include <mechanics/surface_growth.h>
 
+#include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <utility>
 
 namespace magmpm::benchmarks
@@ -48,31 +48,60 @@ namespace magmpm::benchmarks
                          : std::cos(std::sqrt(-square) * time);
     }
 
-    /**
-     * Writes the particles of the layer, displaced from a regular grid as an ideal fluid is by the wave:
-     * without divergence, and not at all across floor and side walls.
-     */
-    void
-    write_points(const SurfaceWave &wave, const double spacing, const std::string &file)
+    /** A box-shaped part of the layer. */
+    struct Part
     {
-      std::ofstream points(file);
-      points.precision(15);
-      points << "x, y\n";
-      const double amplitude = wave.steepness / k / std::sinh(k * depth);
-      const auto count       = [spacing](const double edge) {
-        return static_cast<int>(std::lround(edge / spacing));
-      };
-      for (int j = 0; j < count(depth); ++j)
-        for (int i = 0; i < count(length); ++i)
-          {
-            const double x = (i + 0.5) * spacing, y = (j + 0.5) * spacing;
-            points << x - amplitude * std::sin(k * x) * std::cosh(k * y) << ", "
-                   << y + amplitude * std::cos(k * x) * std::sinh(k * y) << '\n';
-          }
+      double left, right, lower, upper; // m
+    };
+
+    /**
+     * The layer as a box below the troughs and, above it, slabs as thick as particles are apart, as long as
+     * the wave is higher than their middle: the surface has steps that P2G smooths.
+     */
+    std::vector<Part>
+    parts_of_layer(const double amplitude, const double distance)
+    {
+      const int n             = static_cast<int>(std::ceil(amplitude / distance));
+      std::vector<Part> parts = {{0., length, 0., depth - n * distance}};
+      for (int j = -n; j < n; ++j)
+        {
+          const double height = (j + 0.5) * distance / amplitude;
+          const double lower = depth + j * distance, upper = lower + distance;
+          if (height <= -1.)
+            parts.push_back({0., length, lower, upper});
+          else if (height < 1.)
+            for (double crest = 0.; crest < 1.01 * length; crest += wave_length)
+              {
+                const double half = std::acos(height) / k;
+                parts.push_back(
+                  {std::max(0., crest - half), std::min(length, crest + half), lower, upper});
+              }
+        }
+      return parts;
     }
 
     std::string
-    scene(const SurfaceWave &wave, const std::string &points)
+    bodies(const SurfaceWave &wave)
+    {
+      const double distance         = depth / wave.cells_per_half_wave / wave.particles_per_edge;
+      const std::vector<Part> parts = parts_of_layer(wave.steepness / k, distance);
+      std::string names, text;
+      for (std::size_t i = 0; i < parts.size(); ++i)
+        {
+          const std::string name = "part" + std::to_string(i);
+          names += (i > 0 ? ", " : "") + name;
+          text +=
+            "subsection " + name +
+            "\nset Material = ferrofluid\nset Lower corner = " + as_text(parts[i].left) + ", " +
+            as_text(parts[i].lower) + "\nset Upper corner = " + as_text(parts[i].right) + ", " +
+            as_text(parts[i].upper) + "\nset Density = " + as_text(density) +
+            "\nset Particles per edge = " + std::to_string(wave.particles_per_edge) + "\nend\n";
+        }
+      return "subsection Bodies\nset List of bodies = " + names + "\n" + text + "end\n";
+    }
+
+    std::string
+    scene(const SurfaceWave &wave)
     {
       const double dx    = depth / wave.cells_per_half_wave;
       const double end   = wave.duration / std::sqrt(std::abs(exact_square(wave)));
@@ -80,11 +109,7 @@ namespace magmpm::benchmarks
       return "set Dimension = 2\nset End time = " + as_text(end) + "\nset Gravity = 0, " +
              as_text(-gravity) + "\nset Checkpoint every = never\n" +
              "subsection Box\nset Upper corner = " + as_text(length) + ", " + as_text(2. * depth) +
-             "\nset Cell size = " + as_text(dx) + "\nend\n" +
-             "subsection Bodies\nset List of bodies = layer\nsubsection layer\n"
-             "set Material = ferrofluid\nset Shape = points\nset File = " +
-             points + "\nset Particles per edge = " + std::to_string(wave.particles_per_edge) +
-             "\nset Density = " + as_text(density) + "\nend\nend\n" +
+             "\nset Cell size = " + as_text(dx) + "\nend\n" + bodies(wave) +
              "subsection Materials\nset List of materials = ferrofluid\nsubsection ferrofluid\n"
              "set Mechanical law = viscoelastic fluid\nset Viscosity = 1e-6\nset Bulk modulus = " +
              as_text(density * sound * sound) +
@@ -117,9 +142,9 @@ subsection Output
     }
 
     double
-    amplitude(const ParticleFrame &frame)
+    amplitude(const ParticleFrame &frame, const SurfaceWave &wave)
     {
-      const double volume = length * depth / static_cast<double>(frame.size());
+      const double volume = std::pow(depth / wave.cells_per_half_wave / wave.particles_per_edge, 2);
       double sum          = 0.;
       for (const auto &position : frame.positions)
         if (std::abs(position[0] - 0.5 * length) <= 0.5 * wave_length)
@@ -157,10 +182,9 @@ subsection Output
     const std::string name = "surface-growth-" + as_text(wave.over_cutoff) + "-" +
                              std::to_string(wave.cells_per_half_wave) + "-" +
                              std::to_string(wave.particles_per_edge);
-    write_points(wave, depth / wave.cells_per_half_wave / wave.particles_per_edge, name + ".csv");
     std::vector<std::pair<double, double>> amplitudes;
-    for (const ParticleFrame &frame : particle_frames(run_scene(name, scene(wave, name + ".csv"))))
-      amplitudes.emplace_back(frame.time, amplitude(frame));
+    for (const ParticleFrame &frame : particle_frames(run_scene(name, scene(wave))))
+      amplitudes.emplace_back(frame.time, amplitude(frame, wave));
 
     SurfaceGrowth growth;
     growth.exact_square = exact_square(wave);

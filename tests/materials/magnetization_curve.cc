@@ -56,26 +56,28 @@ namespace
 
 TEST_CASE("a curve of Langevin's law is Langevin's law", "[materials]")
 {
-  // At the points exactly, between them to the error of cubics whose slopes are of second order: from
-  // 4 to 8 points a unit of a it falls by 2^3 about (measured: 1.3e-4 and 1.7e-5 of M_s). Beyond the
-  // last point, at a = 10, M_s - C/H is what Langevin's law is but for exp(-20).
+  // At the points exactly; between them to the error of cubics, and beyond the last one, at a = 10, to
+  // that of its slope, which is of second order and the larger one: from 4 to 8 points a unit of a the
+  // error falls fourfold (1.3e-4 and 3.2e-5 of M_s). What else differs there, exp(-20), does not count.
   double error[2] = {0., 0.};
   for (const int i : {0, 1})
     {
       const MagnetizationModel curve = curve_of_langevin(i == 0 ? 4 : 8);
+      // A content of the curve's own susceptibility is the curve itself.
+      const MagneticContent content = {1., curve.curve->initial_susceptibility()};
+      const auto on_curve           = [&](const double field) {
+        return magnetization<2>(curve, content, {{field, 0.}})[0];
+      };
       for (double a = 0.013; a < 1e3; a *= 1.02)
-        error[i] =
-          std::max(error[i],
-                   std::abs(magnetization<2>(curve, paper, {{a / k2, 0.}})[0] - langevin(a / k2)) /
-                     paper.saturation_magnetization);
-      CHECK(magnetization<2>(curve, paper, {{3. / k2, 0.}})[0] ==
-            Approx(langevin(3. / k2)).epsilon(1e-12));
+        error[i] = std::max(
+          error[i], std::abs(on_curve(a / k2) - langevin(a / k2)) / paper.saturation_magnetization);
+      CHECK(on_curve(3. / k2) == Approx(langevin(3. / k2)).epsilon(1e-12));
       CHECK(curve.curve->initial_susceptibility() == Approx(0.91).epsilon(i == 0 ? 1e-3 : 1e-4));
       CHECK(curve.curve->saturation_magnetization() == Approx(8.2e4).epsilon(1e-3));
     }
   INFO("errors " << error[0] << " and " << error[1]);
   CHECK(error[0] < 3e-4);
-  CHECK(error[1] < 0.2 * error[0]);
+  CHECK(error[1] < 0.3 * error[0]);
 }
 
 TEMPLATE_TEST_CASE_SIG("the tangent of a curve is its derivative and the coenergy its potential",

@@ -31,20 +31,22 @@ TEST_CASE("A magnetized surface grows as fast as Cowley and Rosensweig say", "[p
 
 TEST_CASE("A magnetized surface swings below the cut-off and without field", "[program]")
 {
-  // The same wave in half the field (a quarter of the cut-off), and in none, the negative control: it
-  // falls, with the frequency of the same formula within 8 %. Without the field's part the first of
-  // them would be 15 % off.
-  for (const double over_cutoff : {0., 0.25})
+  // The same wave in half the field of the cut-off (k_c/4), and in none, the negative control: it falls,
+  // with the frequency of the same formula within 12 %; the field takes 13 % of it.
+  double omega[2];
+  for (const int i : {0, 1})
     {
       SurfaceWave wave;
-      wave.over_cutoff           = over_cutoff;
+      wave.over_cutoff           = i == 0 ? 0. : 0.25;
       wave.cells_per_half_wave   = 16;
       wave.duration              = 1.5;
       const SurfaceGrowth growth = surface_growth(wave);
-      INFO("k/k_c = " << over_cutoff << ": error " << growth.relative_error() << ", a/a_0 "
+      INFO("k/k_c = " << wave.over_cutoff << ": error " << growth.relative_error() << ", a/a_0 "
                       << growth.final_amplitude);
       CHECK(growth.measured_square < 0.);
-      CHECK(std::abs(growth.relative_error()) < 0.08);
-      CHECK(growth.final_amplitude < 0.3);
+      CHECK(std::abs(growth.relative_error()) < 0.12);
+      CHECK(growth.final_amplitude < 0.35);
+      omega[i] = std::sqrt(-growth.measured_square);
     }
+  CHECK(omega[1] < 0.92 * omega[0]);
 }
