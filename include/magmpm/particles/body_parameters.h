@@ -1,33 +1,21 @@
 #pragma once
 
-#include <magmpm/base/tensor.h>
+#include <magmpm/geometry/shape.h>
 
 #include <string>
 
 namespace magmpm
 {
-  enum class Shape
-  {
-    box,
-    sphere,  ///< a disc in 2D
-    cylinder ///< 3D only
-  };
-
   /** One named body of a scene: where its particles are seeded and how they move at first. */
   template <int dim>
   struct BodyParameters
   {
     std::string name;
     std::string material;
-    Shape shape = Shape::box;
-    Vector<dim> lower_corner, upper_corner; ///< box [m]
-    Vector<dim> centre;                     ///< sphere, cylinder (middle of the axis) [m]
-    double radius = 0.;                     ///< sphere, cylinder [m]
-    Vector<dim> axis;                       ///< cylinder: direction of the axis, any length
-    double length          = 0.;            ///< cylinder [m]
-    double density         = 0.;            ///< undeformed [kg/m^3]
-    int particles_per_edge = 2;             ///< of a lattice cell: 2 means 2^dim per cell
-    double jitter          = 0.;            ///< fraction of the particle spacing, 0 (regular) to 1
+    ShapeParameters<dim> shape;
+    double density         = 0.; ///< undeformed [kg/m^3]
+    int particles_per_edge = 2;  ///< of a lattice cell: 2 means 2^dim per cell
+    double jitter          = 0.; ///< fraction of the particle spacing, 0 (regular) to 1
 
     Vector<dim> velocity; ///< at the start [m/s]
     Vector<n_axial_components<dim>>
