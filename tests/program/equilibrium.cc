@@ -129,8 +129,9 @@ TEST_CASE("A run ends when all is at rest", "[program]")
   CHECK(damped.last("time [s]") > 0.1);
   const double mass = 1000. * 0.1 * 0.08;
   CHECK(std::sqrt(2. * damped.last("kinetic energy [J/m]") / mass) < 0.002);
-  // It has sunk by about half of rho g h^2/E, 1.6 mm, from where it touches the floor.
-  CHECK(damped.last("centre of mass y [m]") == Approx(0.0395).margin(0.0025));
+  // It lies on the floor, which holds what is less than a cell above it.
+  CHECK(damped.last("centre of mass y [m]") < 0.0475);
+  CHECK(damped.last("centre of mass y [m]") > 0.038);
 
   // The same in two parts: the time since when it is at rest is in the checkpoint.
   const std::string scene_file = write_scene("damped-in-two", scene.text());
