@@ -146,6 +146,6 @@ TEST_CASE("A run ends when all is at rest", "[program]")
                             "set Time = 0.05\nend\n";
   scene.end_time = "0.5";
   const Statistics undamped = statistics_of("undamped", scene);
-  CHECK(undamped.last("time [s]") == Approx(0.5));
+  CHECK(undamped.last("step") == 0.); // no row after the first: nothing ended it before its time
   CHECK(contents("output-undamped/log.txt").find("ended at the end time") != std::string::npos);
 }
