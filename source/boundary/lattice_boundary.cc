@@ -60,19 +60,21 @@ namespace magmpm
   Vector<dim>
   LatticeBoundary<dim>::constrained(const Index<dim> &node, Vector<dim> velocity) const
   {
-    if (!sources.solid_spheres().empty())
+    if (!sources.solid_sources().empty())
       {
         const Vector<dim> position = lattice.node_position(node);
-        for (const MagnetizedSphere<dim> *sphere : sources.solid_spheres())
+        for (const MagneticSource<dim> *source : sources.solid_sources())
           {
-            const Vector<dim> r   = position - sphere->centre();
-            const double distance = norm(r);
-            // In the very centre no direction is outward, and the node just follows.
-            if (distance < sphere->radius())
-              velocity = sphere->velocity() +
-                         contact(distance > 0. ? sphere->contact() : ContactCondition::stick,
-                                 (1. / std::max(distance, 1e-300)) * r,
-                                 velocity - sphere->velocity());
+            const Pose<dim> &pose = source->pose();
+            const SurfaceDistance<dim> surface =
+              source->shape()->surface_distance(pose.to_own(position));
+            if (surface.distance < 0.)
+              {
+                const Vector<dim> moved = source->motion().velocity_at(position - pose.position);
+                velocity                = moved + contact(source->contact(),
+                                           pose.rotation * surface.normal,
+                                           velocity - moved);
+              }
           }
       }
     // Walls last: a node in a corner of a wall and a magnet must not leave the box.
@@ -92,8 +94,16 @@ namespace magmpm
   LatticeBoundary<dim>::max_speed() const
   {
     double speed = 0.;
-    for (const MagnetizedSphere<dim> *sphere : sources.solid_spheres())
-      speed = std::max(speed, norm(sphere->velocity()));
+    for (const MagneticSource<dim> *source : sources.solid_sources())
+      {
+        const RigidMotion<dim> &motion = source->motion();
+        const BoundingBox<dim> box     = source->shape()->bounding_box();
+        Vector<dim> farthest;
+        for (int d = 0; d < dim; ++d)
+          farthest[d] = std::max(std::abs(box.lower[d]), std::abs(box.upper[d]));
+        speed = std::max(speed,
+                         norm(motion.velocity) + norm(motion.angular_velocity) * norm(farthest));
+      }
     return speed;
   }
 

@@ -10,10 +10,10 @@ namespace magmpm
     void
     declare_shape(ParameterRegister &declarations, BodyParameters<dim> &body)
     {
-      std::vector<std::pair<std::string, Shape>> shapes = {{"box", Shape::box},
-                                                           {"sphere", Shape::sphere}};
+      std::vector<std::pair<std::string, ShapeType>> shapes = {{"box", ShapeType::box},
+                                                               {"sphere", ShapeType::sphere}};
       if (dim == 3)
-        shapes.emplace_back("cylinder", Shape::cylinder);
+        shapes.emplace_back("cylinder", ShapeType::cylinder);
       declarations.add(
         "Shape",
         body.shape,

@@ -29,14 +29,14 @@ namespace magmpm
   Extent<dim>
   extent(const BodyParameters<dim> &body)
   {
-    if (body.shape == Shape::box)
+    if (body.shape == ShapeType::box)
       return {body.lower_corner, body.upper_corner};
 
     Extent<dim> result = {body.centre, body.centre};
     for (int d = 0; d < dim; ++d)
       {
         double reach = body.radius;
-        if (body.shape == Shape::cylinder)
+        if (body.shape == ShapeType::cylinder)
           {
             // The caps are discs: along d they reach R times the sine of their axis' angle to it.
             const double cosine = std::abs(body.axis[d]) / norm(body.axis);
@@ -53,7 +53,7 @@ namespace magmpm
   double
   distance(const BodyParameters<dim> &body, const Vector<dim> &point)
   {
-    if (body.shape == Shape::box)
+    if (body.shape == ShapeType::box)
       {
         Vector<dim> outside;
         for (int d = 0; d < dim; ++d)
@@ -63,7 +63,7 @@ namespace magmpm
       }
 
     const Vector<dim> from_centre = point - body.centre;
-    if (body.shape == Shape::sphere)
+    if (body.shape == ShapeType::sphere)
       return std::max(0., norm(from_centre) - body.radius);
 
     const double along  = dot(from_centre, body.axis) / norm(body.axis);
@@ -76,11 +76,11 @@ namespace magmpm
   bool
   overlap(const BodyParameters<dim> &a, const BodyParameters<dim> &b)
   {
-    if (a.shape == Shape::sphere)
+    if (a.shape == ShapeType::sphere)
       return distance(b, a.centre) < (1. - tolerance) * a.radius;
-    if (b.shape == Shape::sphere)
+    if (b.shape == ShapeType::sphere)
       return overlap(b, a);
-    return a.shape == Shape::box && b.shape == Shape::box && boxes_overlap(a, b);
+    return a.shape == ShapeType::box && b.shape == ShapeType::box && boxes_overlap(a, b);
   }
 
   template Extent<2>

@@ -18,7 +18,7 @@ namespace magmpm
     {
       const std::vector<std::string> corners = {"Lower corner", "Upper corner"};
       const std::vector<std::string> axis    = {"Axis", "Length"};
-      if (body.shape == Shape::box)
+      if (body.shape == ShapeType::box)
         {
           check_given(declarations, section, corners, {"Centre", "Radius"}, "Shape = box");
           if constexpr (dim == 3)
@@ -32,7 +32,7 @@ namespace magmpm
           return;
         }
 
-      const bool cylinder      = (body.shape == Shape::cylinder);
+      const bool cylinder      = (body.shape == ShapeType::cylinder);
       const std::string reason = cylinder ? "Shape = cylinder" : "Shape = sphere";
       check_given(declarations, section, {"Centre", "Radius"}, corners, reason);
       if constexpr (dim == 3)
@@ -60,8 +60,8 @@ namespace magmpm
           const bool below       = reach.lower[d] < lower - tolerance;
           if (below || reach.upper[d] > upper + tolerance)
             throw declarations.error(
-              section + (body.shape == Shape::box ? (below ? "/Lower corner" : "/Upper corner")
-                                                  : "/Centre"),
+              section + (body.shape == ShapeType::box ? (below ? "/Lower corner" : "/Upper corner")
+                                                      : "/Centre"),
               "the body reaches to " + std::string(1, axis_names[d]) + " = " +
                 to_text(below ? reach.lower[d] : reach.upper[d]) +
                 " m, outside of the box, which is from " + to_text(lower) + " to " +

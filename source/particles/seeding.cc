@@ -69,14 +69,14 @@ namespace magmpm
   BoundingBox<dim>
   bounding_box(const BodyParameters<dim> &parameters)
   {
-    if (parameters.shape == Shape::box)
+    if (parameters.shape == ShapeType::box)
       return {parameters.lower_corner, parameters.upper_corner};
     BoundingBox<dim> box     = {parameters.centre, parameters.centre};
     const double axis_length = norm(parameters.axis);
     for (int d = 0; d < dim; ++d)
       {
         double reach = parameters.radius;
-        if (parameters.shape == Shape::cylinder)
+        if (parameters.shape == ShapeType::cylinder)
           {
             const double cosine = parameters.axis[d] / axis_length;
             reach               = 0.5 * parameters.length * std::abs(cosine) +
@@ -92,7 +92,7 @@ namespace magmpm
   bool
   is_inside(const BodyParameters<dim> &parameters, const Vector<dim> &point)
   {
-    if (parameters.shape == Shape::box)
+    if (parameters.shape == ShapeType::box)
       {
         for (int d = 0; d < dim; ++d)
           if (point[d] < parameters.lower_corner[d] || point[d] > parameters.upper_corner[d])
@@ -100,7 +100,7 @@ namespace magmpm
         return true;
       }
     const Vector<dim> r = point - parameters.centre;
-    if (parameters.shape == Shape::sphere)
+    if (parameters.shape == ShapeType::sphere)
       return norm_square(r) <= parameters.radius * parameters.radius;
     const double along = dot(r, parameters.axis) / norm(parameters.axis);
     return std::abs(along) <= 0.5 * parameters.length &&

@@ -12,7 +12,7 @@ namespace
   cylinder(const Vector<3> &axis)
   {
     BodyParameters<3> body;
-    body.shape  = Shape::cylinder;
+    body.shape  = ShapeType::cylinder;
     body.centre = {{1., 2., 3.}};
     body.radius = 0.5;
     body.length = 4.;
@@ -33,7 +33,7 @@ namespace
   sphere(const Vector<3> &centre, const double radius)
   {
     BodyParameters<3> body;
-    body.shape  = Shape::sphere;
+    body.shape  = ShapeType::sphere;
     body.centre = centre;
     body.radius = radius;
     return body;

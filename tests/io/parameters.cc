@@ -110,7 +110,7 @@ TEST_CASE("A parameter file fills the parameters of all rooms", "[io]")
   CHECK(scene.bodies[0].name == "cube");
   CHECK(scene.bodies[0].upper_corner[1] == 0.5);
   CHECK(scene.bodies[0].velocity[2] == -3.);
-  CHECK(scene.bodies[1].shape == Shape::sphere);
+  CHECK(scene.bodies[1].shape == ShapeType::sphere);
   CHECK(scene.bodies[1].angular_velocity[2] == 5.);
   CHECK(scene.material_of(scene.bodies[1]).law == MechanicalLaw::viscoelastic_fluid);
   CHECK(scene.material_of(scene.bodies[1]).viscosity == 0.1);

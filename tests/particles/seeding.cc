@@ -56,7 +56,7 @@ namespace
   /** A sphere of radius 5.3 dx or, in 3D, a cylinder, around no special point of the lattice. */
   template <int dim>
   BodyParameters<dim>
-  round_body(const Lattice<dim> &lattice, const Shape shape)
+  round_body(const Lattice<dim> &lattice, const ShapeType shape)
   {
     BodyParameters<dim> parameters;
     parameters.name    = "round";
@@ -136,11 +136,11 @@ TEST_CASE("spheres and cylinders have their volume up to the steps of their surf
   const Lattice<3> lattice3 = test_lattice<3>();
   const double radius       = 0.53;
   const double length       = 0.71;
-  check_volume(round_body(lattice2, Shape::sphere), constants::pi * radius * radius, 0.02);
+  check_volume(round_body(lattice2, ShapeType::sphere), constants::pi * radius * radius, 0.02);
   check_volume(
-    round_body(lattice3, Shape::sphere), 4. / 3. * constants::pi * std::pow(radius, 3), 0.01);
+    round_body(lattice3, ShapeType::sphere), 4. / 3. * constants::pi * std::pow(radius, 3), 0.01);
   check_volume(
-    round_body(lattice3, Shape::cylinder), constants::pi * radius * radius * length, 0.01);
+    round_body(lattice3, ShapeType::cylinder), constants::pi * radius * radius * length, 0.01);
 }
 
 TEST_CASE("a cylinder is round about its axis, whose length is of no importance", "[particles]")
@@ -148,7 +148,7 @@ TEST_CASE("a cylinder is round about its axis, whose length is of no importance"
   // Points just inside and outside of the mantle and of the ends of a cylinder along a slanted axis,
   // and its bounding box along z, whose extents are the radius and half of the length.
   BodyParameters<3> parameters;
-  parameters.shape      = Shape::cylinder;
+  parameters.shape      = ShapeType::cylinder;
   parameters.centre     = {{1., 2., 3.}};
   parameters.radius     = 0.5;
   parameters.length     = 4.;
@@ -175,7 +175,7 @@ TEMPLATE_TEST_CASE_SIG("any number of ranks seeds the same particles",
   // The union over 2, 4 and 7 ranks of a jittered sphere against one rank: the same ids, each once,
   // with the same numbers to the last bit. Places and jitter are functions of the place alone.
   const Lattice<dim> lattice     = test_lattice<dim>();
-  BodyParameters<dim> parameters = round_body(lattice, Shape::sphere);
+  BodyParameters<dim> parameters = round_body(lattice, ShapeType::sphere);
   parameters.jitter              = 1.;
   const auto collect             = [&](const unsigned int n_ranks) {
     std::map<std::uint64_t, std::vector<double>> particles;

@@ -42,9 +42,11 @@ namespace magmpm
   public:
     virtual ~Shape() = default;
 
+    /** Exact, and quick. */
     virtual bool
     contains(const Vector<dim> &point) const = 0;
 
+    /** Exact but for a mesh (MeshShape), and quick: to be asked in each step. */
     virtual SurfaceDistance<dim>
     surface_distance(const Vector<dim> &point) const = 0;
 
@@ -54,7 +56,10 @@ namespace magmpm
     virtual VolumeMoments<dim>
     volume_moments() const = 0;
 
-    /** Points all over the surface, edges and corners among them, at most @p spacing [m] apart. */
+    /**
+     * Points all over the surface, edges and corners among them, neighbours at most @p spacing [m]
+     * apart. Some may be there twice.
+     */
     virtual std::vector<Vector<dim>>
     surface_points(const double spacing) const = 0;
   };
@@ -64,7 +69,8 @@ namespace magmpm
     box,
     sphere,   ///< a disc in 2D
     cylinder, ///< 3D only
-    mesh      ///< the inside of a closed triangle mesh, 3D only
+    mesh,     ///< the inside of a closed triangle mesh, 3D only
+    points    ///< no region but a list of particles: of bodies only, make_shape() knows none
   };
 
   /** A shape as a parameter file gives it. */
@@ -82,6 +88,8 @@ namespace magmpm
     double scale = 1.;
     Vector<n_axial_components<dim>> rotation; ///< axis times angle [rad]
     Vector<dim> translation;                  ///< [m]
+
+    double sample_spacing = 0.; ///< mesh: between the samples of its distance [m]; 0: derived
   };
 
   /**

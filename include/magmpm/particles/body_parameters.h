@@ -1,25 +1,18 @@
 #pragma once
 
-#include <magmpm/base/tensor.h>
+#include <magmpm/geometry/shape.h>
 
 #include <string>
 
 namespace magmpm
 {
-  enum class Shape
-  {
-    box,
-    sphere,  ///< a disc in 2D
-    cylinder ///< 3D only
-  };
-
   /** One named body of a scene: where its particles are seeded and how they move at first. */
   template <int dim>
   struct BodyParameters
   {
     std::string name;
     std::string material;
-    Shape shape = Shape::box;
+    ShapeType shape = ShapeType::box;
     Vector<dim> lower_corner, upper_corner; ///< box [m]
     Vector<dim> centre;                     ///< sphere, cylinder (middle of the axis) [m]
     double radius = 0.;                     ///< sphere, cylinder [m]

@@ -31,12 +31,6 @@ namespace magmpm
 
   /** The smallest box around the body's shape. */
   template <int dim>
-  struct BoundingBox
-  {
-    Vector<dim> lower, upper;
-  };
-
-  template <int dim>
   BoundingBox<dim>
   bounding_box(const BodyParameters<dim> &parameters);
 } // namespace magmpm

@@ -1,0 +1,41 @@
+#include <magmpm/base/constants.h>
+#include <magmpm/base/exceptions.h>
+#include <magmpm/magnets/source_motion.h>
+
+#include "catch.h"
+
+#include <cmath>
+
+using namespace magmpm;
+
+namespace
+{
+  template <int dim>
+  SourceMotion<dim>
+  motion_of(const std::string &position, const std::string &rotation = "")
+  {
+    SourceParameters<dim> parameters;
+    parameters.name     = "ball";
+    parameters.position = position;
+    parameters.rotation = rotation;
+    return SourceMotion<dim>(parameters);
+  }
+} // namespace
+
+TEST_CASE("the velocity of a source is the derivative of its position", "[magnets]")
+{
+  // Analytic derivatives of a line, a sine of 50 Hz and a root, which is not defined before t = 0.
+  // The stated error of the difference is (1e-6 w)^2/6 = 1.6e-8 of the amplitude's w, and 1e-10.
+  const double w             = 2. * constants::pi * 50.;
+  const SourceMotion<2> sine = motion_of<2>("0.2 - 0.1*t; 0.01*sin(2*pi*50*t)");
+  for (const double t : {0., 1e-7, 0.0123, 1.})
+    {
+      const Vector<2> velocity = sine.motion(t).velocity;
+      CHECK(velocity[0] == Approx(-0.1).epsilon(2e-9));
+      CHECK(velocity[1] == Approx(0.01 * w * std::cos(w * t)).margin(0.01 * w * 2e-7));
+    }
+  const SourceMotion<2> root = motion_of<2>("sqrt(t); 0");
+  CHECK(root.motion(0.25).velocity[0] == Approx(1.).epsilon(1e-8));
+  CHECK(std::isfinite(root.motion(0.).velocity[0]));
+  CHECK(norm(motion_of<2>("tan(0.5)*1e5; sqrt(2)").motion(1.).velocity) == 0.);
+}
