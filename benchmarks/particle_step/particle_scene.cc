@@ -31,10 +31,10 @@ namespace magmpm::benchmarks
       body.velocity           = {{0., 0., -1.}};
       for (int d = 0; d < 3; ++d)
         {
-          const int first          = (d == 2 ? 1 : 2);
-          scene.lattice.n_cells[d] = block_edge * ((n_cells + 2 * first) / block_edge + 1);
-          body.lower_corner[d]     = scene.lattice.spacing * first;
-          body.upper_corner[d]     = scene.lattice.spacing * (first + n_cells);
+          const int first            = (d == 2 ? 1 : 2);
+          scene.lattice.n_cells[d]   = block_edge * ((n_cells + 2 * first) / block_edge + 1);
+          body.shape.lower_corner[d] = scene.lattice.spacing * first;
+          body.shape.upper_corner[d] = scene.lattice.spacing * (first + n_cells);
         }
       scene.bodies.emplace_back(body, material);
       seed_particles(body, scene.lattice, 0, 0, 1, scene.bodies.back());

@@ -408,6 +408,13 @@ namespace magmpm
     return (origin == origins.end() ? file_name : origin->second) + ": " + path;
   }
 
+  std::string
+  ParameterRegister::folder() const
+  {
+    const std::size_t slash = file_name.find_last_of('/');
+    return slash == std::string::npos ? "" : file_name.substr(0, slash + 1);
+  }
+
   InputError
   ParameterRegister::error(const std::string &path, const std::string &explanation) const
   {

@@ -139,8 +139,8 @@ namespace magmpm
   {
     check_box(declarations, input, parameters.lattice);
     convert_materials(declarations, input, parameters);
-    check_bodies(declarations, input, parameters);
-    check_sources(declarations, parameters);
+    const auto body_shapes = check_bodies(declarations, input, parameters);
+    check_sources(declarations, parameters, body_shapes);
     check_times(declarations, parameters);
     convert_checkpoint(declarations, input, parameters.checkpoint);
 

@@ -1,8 +1,9 @@
-#include <magmpm/io/body_geometry.h>
 #include <magmpm/io/given_parameters.h>
 #include <magmpm/io/number_text.h>
 #include <magmpm/io/section_validation.h>
 #include <magmpm/magnets/motion_script.h>
+
+#include <algorithm>
 
 namespace magmpm
 {
@@ -15,16 +16,19 @@ namespace magmpm
                                  const std::string &section,
                                  const SourceParameters<dim> &source,
                                  const Vector<dim> &centre,
-                                 const Parameters<dim> &parameters)
+                                 const Parameters<dim> &parameters,
+                                 const std::vector<std::unique_ptr<Shape<dim>>> &body_shapes)
     {
-      for (const BodyParameters<dim> &body : parameters.bodies)
+      for (std::size_t b = 0; b < body_shapes.size(); ++b)
         {
-          const double gap = distance(body, centre) - source.radius;
+          // From a centre inside a body: zero, so that the overlap is the radius.
+          const double from_body = std::max(0., body_shapes[b]->surface_distance(centre).distance);
+          const double gap       = from_body - source.radius;
           if (gap < -1e-9 * source.radius)
             throw declarations.error(section + "/Position",
                                      "this solid magnet (radius " + to_text(source.radius) +
                                        " m, at " + components(centre) + " m) overlaps the body '" +
-                                       body.name + "' by " + to_text(-gap) +
+                                       parameters.bodies[b].name + "' by " + to_text(-gap) +
                                        " m at the start. Move one of them, or set " + section +
                                        "/Contact = none.");
         }
@@ -33,7 +37,9 @@ namespace magmpm
 
   template <int dim>
   void
-  check_sources(const ParameterRegister &declarations, const Parameters<dim> &parameters)
+  check_sources(const ParameterRegister &declarations,
+                const Parameters<dim> &parameters,
+                const std::vector<std::unique_ptr<Shape<dim>>> &body_shapes)
   {
     for (const SourceParameters<dim> &source : parameters.sources)
       {
@@ -56,12 +62,17 @@ namespace magmpm
         at_start("Magnetization", source.magnetization);
         const Vector<dim> centre = at_start("Position", source.position);
         if (source.contact != ContactCondition::none)
-          check_magnet_clear_of_bodies(declarations, section, source, centre, parameters);
+          check_magnet_clear_of_bodies(
+            declarations, section, source, centre, parameters, body_shapes);
       }
   }
 
   template void
-  check_sources(const ParameterRegister &, const Parameters<2> &);
+  check_sources(const ParameterRegister &,
+                const Parameters<2> &,
+                const std::vector<std::unique_ptr<Shape<2>>> &);
   template void
-  check_sources(const ParameterRegister &, const Parameters<3> &);
+  check_sources(const ParameterRegister &,
+                const Parameters<3> &,
+                const std::vector<std::unique_ptr<Shape<3>>> &);
 } // namespace magmpm

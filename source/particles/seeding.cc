@@ -27,12 +27,11 @@ namespace magmpm
       Index<dim> first; ///< place in the lower corner of the bounding box
       Index<dim> count;
 
-      Places(const BodyParameters<dim> &parameters, const Lattice<dim> &lattice)
-        : spacing(lattice.spacing / parameters.particles_per_edge)
+      Places(const BoundingBox<dim> &box, const int particles_per_edge, const Lattice<dim> &lattice)
+        : spacing(lattice.spacing / particles_per_edge)
       {
-        const BoundingBox<dim> box = bounding_box(parameters);
-        const Vector<dim> lower    = (1. / spacing) * (box.lower - lattice.lower_corner);
-        const Vector<dim> upper    = (1. / spacing) * (box.upper - lattice.lower_corner);
+        const Vector<dim> lower = (1. / spacing) * (box.lower - lattice.lower_corner);
+        const Vector<dim> upper = (1. / spacing) * (box.upper - lattice.lower_corner);
         for (int d = 0; d < dim; ++d)
           {
             first[d] = static_cast<int>(std::floor(lower[d] + 1e-6));
@@ -66,48 +65,6 @@ namespace magmpm
   } // namespace
 
   template <int dim>
-  BoundingBox<dim>
-  bounding_box(const BodyParameters<dim> &parameters)
-  {
-    if (parameters.shape == ShapeType::box)
-      return {parameters.lower_corner, parameters.upper_corner};
-    BoundingBox<dim> box     = {parameters.centre, parameters.centre};
-    const double axis_length = norm(parameters.axis);
-    for (int d = 0; d < dim; ++d)
-      {
-        double reach = parameters.radius;
-        if (parameters.shape == ShapeType::cylinder)
-          {
-            const double cosine = parameters.axis[d] / axis_length;
-            reach               = 0.5 * parameters.length * std::abs(cosine) +
-                    parameters.radius * std::sqrt(std::max(0., 1. - cosine * cosine));
-          }
-        box.lower[d] -= reach;
-        box.upper[d] += reach;
-      }
-    return box;
-  }
-
-  template <int dim>
-  bool
-  is_inside(const BodyParameters<dim> &parameters, const Vector<dim> &point)
-  {
-    if (parameters.shape == ShapeType::box)
-      {
-        for (int d = 0; d < dim; ++d)
-          if (point[d] < parameters.lower_corner[d] || point[d] > parameters.upper_corner[d])
-            return false;
-        return true;
-      }
-    const Vector<dim> r = point - parameters.centre;
-    if (parameters.shape == ShapeType::sphere)
-      return norm_square(r) <= parameters.radius * parameters.radius;
-    const double along = dot(r, parameters.axis) / norm(parameters.axis);
-    return std::abs(along) <= 0.5 * parameters.length &&
-           norm_square(r) - along * along <= parameters.radius * parameters.radius;
-  }
-
-  template <int dim>
   void
   seed_particles(const BodyParameters<dim> &parameters,
                  const Lattice<dim> &lattice,
@@ -116,9 +73,9 @@ namespace magmpm
                  const unsigned int n_ranks,
                  Body<dim> &body)
   {
-    const Places<dim> places(parameters, lattice);
-    const BoundingBox<dim> box  = bounding_box(parameters);
-    const Vector<dim> centre    = 0.5 * (box.lower + box.upper);
+    const std::unique_ptr<Shape<dim>> shape = make_shape(parameters.shape);
+    const Places<dim> places(shape->bounding_box(), parameters.particles_per_edge, lattice);
+    const Vector<dim> centre    = shape->volume_moments().centroid;
     ParticleSet<dim> &particles = body.particles;
 
     const std::uint64_t row_length = static_cast<std::uint64_t>(places.count[0]);
@@ -141,7 +98,7 @@ namespace magmpm
               position[d] = lattice.lower_corner[d] + places.spacing * (place + 0.5);
             }
           // Inside or not is asked of the regular place, so that jitter does not change how many.
-          if (!is_inside(parameters, position))
+          if (!shape->contains(position))
             continue;
           const std::size_t p = particles.size();
           particles.resize(p + 1);
@@ -160,14 +117,6 @@ namespace magmpm
         }
   }
 
-  template BoundingBox<2>
-  bounding_box(const BodyParameters<2> &);
-  template BoundingBox<3>
-  bounding_box(const BodyParameters<3> &);
-  template bool
-  is_inside(const BodyParameters<2> &, const Vector<2> &);
-  template bool
-  is_inside(const BodyParameters<3> &, const Vector<3> &);
   template void
   seed_particles(const BodyParameters<2> &,
                  const Lattice<2> &,

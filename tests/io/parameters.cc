@@ -108,9 +108,9 @@ TEST_CASE("A parameter file fills the parameters of all rooms", "[io]")
 
   REQUIRE(scene.bodies.size() == 2);
   CHECK(scene.bodies[0].name == "cube");
-  CHECK(scene.bodies[0].upper_corner[1] == 0.5);
+  CHECK(scene.bodies[0].shape.upper_corner[1] == 0.5);
   CHECK(scene.bodies[0].velocity[2] == -3.);
-  CHECK(scene.bodies[1].shape == ShapeType::sphere);
+  CHECK(scene.bodies[1].shape.type == ShapeType::sphere);
   CHECK(scene.bodies[1].angular_velocity[2] == 5.);
   CHECK(scene.material_of(scene.bodies[1]).law == MechanicalLaw::viscoelastic_fluid);
   CHECK(scene.material_of(scene.bodies[1]).viscosity == 0.1);

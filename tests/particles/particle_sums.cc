@@ -136,13 +136,13 @@ TEST_CASE("the sums of all ranks are those of one", "[particles][mpi]")
   // same box seeded by one rank. The particles are the same, so only the order of the sums differs.
   const Lattice<3> lattice = test_lattice<3>();
   BodyParameters<3> parameters;
-  parameters.density          = 1000.;
-  parameters.jitter           = 0.5;
-  parameters.lower_corner     = lattice.node_position({2, 2, 2});
-  parameters.upper_corner     = lattice.node_position({7, 7, 7});
-  parameters.velocity         = {{1., 0., 2.}};
-  parameters.angular_velocity = {{0., 3., 1.}};
-  const auto sums_of          = [&](const unsigned int rank, const unsigned int n_ranks) {
+  parameters.density            = 1000.;
+  parameters.jitter             = 0.5;
+  parameters.shape.lower_corner = lattice.node_position({2, 2, 2});
+  parameters.shape.upper_corner = lattice.node_position({7, 7, 7});
+  parameters.velocity           = {{1., 0., 2.}};
+  parameters.angular_velocity   = {{0., 3., 1.}};
+  const auto sums_of            = [&](const unsigned int rank, const unsigned int n_ranks) {
     Body<3> body = empty_body<3>(MechanicalLaw::neo_hookean, false);
     seed_particles(parameters, lattice, 0, rank, n_ranks, body);
     return particle_sums(body, lattice, {{0., 0., -9.81}}, MagnetizationLaw::langevin);

@@ -201,6 +201,12 @@ namespace magmpm
     void
     set_printed_value(const std::string &path, const std::string &value);
 
+    bool
+    is_declared(const std::string &path) const
+    {
+      return find(path) != nullptr;
+    }
+
     /** Whether a parameter without default was given. */
     bool
     given(const std::string &path) const;
@@ -211,6 +217,10 @@ namespace magmpm
      */
     InputError
     error(const std::string &path, const std::string &explanation) const;
+
+    /** The folder of the parameter file, with a slash at the end; empty: the working directory. */
+    std::string
+    folder() const;
 
     /** Where the value of a declared parameter comes from: "cube.prm, line 12: Bodies/cube/Density". */
     std::string

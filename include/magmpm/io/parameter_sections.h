@@ -16,6 +16,17 @@ namespace magmpm
   void
   declare_body(ParameterRegister &declarations, BodyParameters<dim> &body);
 
+  /**
+   * The shape of a body or something else in the section entered, see check_shape().
+   *
+   * @param may_be_points  whether a list of points will do.
+   */
+  template <int dim>
+  void
+  declare_shape(ParameterRegister &declarations,
+                ShapeParameters<dim> &shape,
+                const bool may_be_points = false);
+
   void
   declare_material(ParameterRegister &declarations,
                    const std::string &name,

@@ -2,6 +2,8 @@
 
 #include <magmpm/io/parameter_declarations.h>
 
+#include <memory>
+
 /** Parts of validate(), each in a file of its own; all throw InputError as it does. */
 namespace magmpm
 {
@@ -12,13 +14,37 @@ namespace magmpm
                     const ParameterInput<dim> &input,
                     Parameters<dim> &parameters);
 
+  /**
+   * Checks that the shape in @p section is given, all of it and nothing else. The file of a mesh
+   * becomes the path at which it is found.
+   *
+   * @return the shape.
+   */
+  template <int dim>
+  std::unique_ptr<Shape<dim>>
+  check_shape(const ParameterRegister &declarations,
+              const std::string &section,
+              ShapeParameters<dim> &parameters);
+
+  /** Checks that the shape in @p section lies within the box of the lattice. */
   template <int dim>
   void
+  check_inside_box(const ParameterRegister &declarations,
+                   const std::string &section,
+                   const ShapeType type,
+                   const BoundingBox<dim> &reach,
+                   const Lattice<dim> &lattice);
+
+  /** @return the shapes of the bodies, in their order. */
+  template <int dim>
+  std::vector<std::unique_ptr<Shape<dim>>>
   check_bodies(const ParameterRegister &declarations,
                const ParameterInput<dim> &input,
-               const Parameters<dim> &parameters);
+               Parameters<dim> &parameters);
 
   template <int dim>
   void
-  check_sources(const ParameterRegister &declarations, const Parameters<dim> &parameters);
+  check_sources(const ParameterRegister &declarations,
+                const Parameters<dim> &parameters,
+                const std::vector<std::unique_ptr<Shape<dim>>> &body_shapes);
 } // namespace magmpm

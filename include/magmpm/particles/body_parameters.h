@@ -12,15 +12,10 @@ namespace magmpm
   {
     std::string name;
     std::string material;
-    ShapeType shape = ShapeType::box;
-    Vector<dim> lower_corner, upper_corner; ///< box [m]
-    Vector<dim> centre;                     ///< sphere, cylinder (middle of the axis) [m]
-    double radius = 0.;                     ///< sphere, cylinder [m]
-    Vector<dim> axis;                       ///< cylinder: direction of the axis, any length
-    double length          = 0.;            ///< cylinder [m]
-    double density         = 0.;            ///< undeformed [kg/m^3]
-    int particles_per_edge = 2;             ///< of a lattice cell: 2 means 2^dim per cell
-    double jitter          = 0.;            ///< fraction of the particle spacing, 0 (regular) to 1
+    ShapeParameters<dim> shape;
+    double density         = 0.; ///< undeformed [kg/m^3]
+    int particles_per_edge = 2;  ///< of a lattice cell: 2 means 2^dim per cell
+    double jitter          = 0.; ///< fraction of the particle spacing, 0 (regular) to 1
 
     Vector<dim> velocity; ///< at the start [m/s]
     Vector<n_axial_components<dim>>

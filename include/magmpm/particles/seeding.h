@@ -14,6 +14,7 @@ namespace magmpm
    * all of them together seed the same particles whatever their number.
    *
    * @param body_number  makes ids of different bodies different.
+   * @throw InputError   if the shape cannot be made (make_shape()).
    */
   template <int dim>
   void
@@ -23,14 +24,4 @@ namespace magmpm
                  const unsigned int rank,
                  const unsigned int n_ranks,
                  Body<dim> &body);
-
-  /** Whether a point lies in the body's shape. */
-  template <int dim>
-  bool
-  is_inside(const BodyParameters<dim> &parameters, const Vector<dim> &point);
-
-  /** The smallest box around the body's shape. */
-  template <int dim>
-  BoundingBox<dim>
-  bounding_box(const BodyParameters<dim> &parameters);
 } // namespace magmpm

@@ -1,0 +1,108 @@
+#include <magmpm/geometry/box_shape.h>
+
+#include <cmath>
+#include <limits>
+
+namespace magmpm
+{
+  template <int dim>
+  BoxShape<dim>::BoxShape(const Vector<dim> &lower_corner, const Vector<dim> &upper_corner)
+    : box{lower_corner, upper_corner}
+  {
+  }
+
+  template <int dim>
+  bool
+  BoxShape<dim>::contains(const Vector<dim> &point) const
+  {
+    for (int d = 0; d < dim; ++d)
+      if (point[d] < box.lower[d] || point[d] > box.upper[d])
+        return false;
+    return true;
+  }
+
+  template <int dim>
+  SurfaceDistance<dim>
+  BoxShape<dim>::surface_distance(const Vector<dim> &point) const
+  {
+    // How far beyond the nearer face along each axis; negative between the faces.
+    Vector<dim> outside;
+    double largest = -std::numeric_limits<double>::infinity();
+    int nearest    = 0;
+    double side    = 1.;
+    for (int d = 0; d < dim; ++d)
+      {
+        const double below = box.lower[d] - point[d], above = point[d] - box.upper[d];
+        const double beyond = std::max(below, above);
+        outside[d]          = beyond <= 0. ? 0. : (above > below ? beyond : -beyond);
+        if (beyond > largest)
+          {
+            largest = beyond;
+            nearest = d;
+            side    = above > below ? 1. : -1.;
+          }
+      }
+    if (largest > 0.)
+      {
+        const double distance = norm(outside);
+        return {distance, (1. / distance) * outside};
+      }
+    Vector<dim> normal;
+    normal[nearest] = side;
+    return {largest, normal};
+  }
+
+  template <int dim>
+  BoundingBox<dim>
+  BoxShape<dim>::bounding_box() const
+  {
+    return box;
+  }
+
+  template <int dim>
+  VolumeMoments<dim>
+  BoxShape<dim>::volume_moments() const
+  {
+    const Vector<dim> edge     = box.upper - box.lower;
+    VolumeMoments<dim> moments = {1., 0.5 * (box.lower + box.upper), {}};
+    for (int d = 0; d < dim; ++d)
+      moments.volume *= edge[d];
+    for (int d = 0; d < dim; ++d)
+      moments.second(d, d) = moments.volume * edge[d] * edge[d] / 12.;
+    return moments;
+  }
+
+  template <int dim>
+  std::vector<Vector<dim>>
+  BoxShape<dim>::surface_points(const double spacing) const
+  {
+    int n[dim]; // intervals along each edge
+    for (int d = 0; d < dim; ++d)
+      n[d] = static_cast<int>(std::ceil((box.upper[d] - box.lower[d]) / spacing));
+
+    std::vector<Vector<dim>> points;
+    int i[dim] = {};
+    while (i[dim - 1] <= n[dim - 1])
+      {
+        Vector<dim> point;
+        bool at_end = false; // along another axis than the first
+        for (int d = 0; d < dim; ++d)
+          {
+            const double part = static_cast<double>(i[d]) / n[d];
+            point[d]          = (1. - part) * box.lower[d] + part * box.upper[d];
+            at_end            = at_end || (d > 0 && (i[d] == 0 || i[d] == n[d]));
+          }
+        points.push_back(point);
+        i[0] += at_end ? 1 : n[0];
+        for (int d = 0; d + 1 < dim && i[d] > n[d]; ++d)
+          {
+            i[d] = 0;
+            ++i[d + 1];
+          }
+      }
+    return points;
+  }
+
+  template class BoxShape<2>;
+  template class BoxShape<3>;
+} // namespace magmpm

@@ -1,0 +1,52 @@
+#include <magmpm/geometry/shape_overlap.h>
+
+#include <algorithm>
+
+namespace magmpm
+{
+  namespace
+  {
+    /** Lengths that differ by less than this part of themselves are the same. */
+    constexpr double tolerance = 1e-9;
+
+    template <int dim>
+    bool
+    boxes_overlap(const BoundingBox<dim> &a, const BoundingBox<dim> &b)
+    {
+      for (int d = 0; d < dim; ++d)
+        {
+          const double shared = std::min(a.upper[d], b.upper[d]) - std::max(a.lower[d], b.lower[d]);
+          if (shared <= tolerance * (a.upper[d] - a.lower[d]))
+            return false;
+        }
+      return true;
+    }
+
+    /** Whether a point of the surface of @p a, or its centroid, lies inside @p b. */
+    template <int dim>
+    bool
+    reaches_into(const Shape<dim> &a, const Shape<dim> &b, const double spacing)
+    {
+      // Drawn in a little, so that surfaces which only touch do not count.
+      const Vector<dim> centroid            = a.volume_moments().centroid;
+      const std::vector<Vector<dim>> points = a.surface_points(spacing);
+      return b.contains(centroid) ||
+             std::any_of(points.begin(), points.end(), [&](const Vector<dim> &point) {
+               return b.contains(point + tolerance * (centroid - point));
+             });
+    }
+  } // namespace
+
+  template <int dim>
+  bool
+  overlap(const Shape<dim> &a, const Shape<dim> &b, const double spacing)
+  {
+    return boxes_overlap(a.bounding_box(), b.bounding_box()) &&
+           (reaches_into(a, b, spacing) || reaches_into(b, a, spacing));
+  }
+
+  template bool
+  overlap(const Shape<2> &, const Shape<2> &, double);
+  template bool
+  overlap(const Shape<3> &, const Shape<3> &, double);
+} // namespace magmpm
