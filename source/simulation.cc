@@ -3,7 +3,6 @@
 #include <deal.II/base/utilities.h>
 
 #include <magmpm/base/version.h>
-#include <magmpm/boundary/momentum_update.h>
 #include <magmpm/fluid_density.h>
 #include <magmpm/io/number_text.h>
 #include <magmpm/io/parameter_changes.h>
@@ -63,7 +62,7 @@ namespace magmpm
                                                   dealii::TimerOutput::never,
                                                   dealii::TimerOutput::wall_times))
     , external_field(parameters.sources)
-    , boundary(parameters.lattice, parameters.walls, external_field)
+    , rigid_bodies(this->parameters, external_field, communicator)
     , open(open_faces(parameters.walls))
     , time_step_control(parameters.time_step, parameters.lattice.spacing)
     , checkpoints(communicator, parameters.output.directory, parameters.checkpoint.n_kept)
@@ -169,12 +168,13 @@ namespace magmpm
       }
     state.solved_this_step = false;
 
-    external_field.set_time(state.time);
+    rigid_bodies.set_time(state.time);
     update_magnetics(); // Eqs. (25)-(33)
     relax_fluids();
     transfer_to_lattice(step.length); // Eq. (28)
     update_lattice();                 // Eqs. (33), (34)
-    transfer_to_particles();          // Eqs. (35)-(37)
+    rigid_bodies.advance(state);
+    transfer_to_particles(); // Eqs. (35)-(37)
 
     state.time += step.length;
     ++state.step;
@@ -225,7 +225,7 @@ namespace magmpm
   {
     seed_bodies();
     set_up_decomposition();
-    external_field.set_time(0.);
+    rigid_bodies.set_time(0.);
     step_conditions.acceleration = norm(parameters.gravity);
     update_magnetics();
     results.write_header(state, bodies);
@@ -298,6 +298,7 @@ namespace magmpm
       return;
     dealii::TimerOutput::Scope timed(*timer, "Solve potential");
     magnetics->solve(bodies, state); // Eqs. (25)-(33)
+    state.rigid_bodies_at_solve         = rigid_bodies.bodies().record();
     step_conditions.magnetic_wave_speed = 0.;
     step_conditions.acceleration        = norm(parameters.gravity);
     for (const ParticleSums<dim> &sums : sums_over_ranks(bodies, parameters, communicator))
@@ -324,12 +325,8 @@ namespace magmpm
   Simulation<dim>::update_lattice()
   {
     dealii::TimerOutput::Scope timed(*timer, "Update lattice");
-    update_lattice_momentum(decomposition->blocks(),
-                            boundary,
-                            parameters.gravity,
-                            state.time_step,
-                            typical_particle_mass,
-                            lattice_field);
+    rigid_bodies.update_lattice(
+      decomposition->blocks(), typical_particle_mass, state, lattice_field);
     decomposition->partition().update_ghosts(lattice_field);
   }
 
@@ -340,10 +337,7 @@ namespace magmpm
     dealii::TimerOutput::Scope timed(*timer, "G2P");
     std::vector<ParticleExtremes> extremes = lattice_to_particles(
       lattice_field, decomposition->blocks(), parameters.lattice, state.time_step, bodies);
-    std::size_t n_held = 0;
-    for (Body<dim> &body : bodies)
-      n_held += hold_at_walls(decomposition->blocks(), parameters.lattice, open, body);
-    state.held_particles += dealii::Utilities::MPI::sum(n_held, communicator);
+    hold_particles();
 
     request = static_cast<RunControl::Request>(
       maximize_over_ranks(extremes, static_cast<double>(control.request()), communicator));
@@ -360,10 +354,31 @@ namespace magmpm
 
   template <int dim>
   void
+  Simulation<dim>::hold_particles()
+  {
+    std::vector<double> sums = rigid_bodies.hold_particles(decomposition->blocks(), bodies, state);
+    std::size_t n_held       = 0;
+    for (Body<dim> &body : bodies)
+      n_held += hold_at_walls(decomposition->blocks(), parameters.lattice, open, body);
+    sums.push_back(static_cast<double>(n_held));
+    dealii::Utilities::MPI::sum(sums, communicator, sums);
+    state.held_particles += static_cast<std::size_t>(sums.back());
+
+    const std::size_t pushed_before = state.particles_pushed_out;
+    rigid_bodies.take_held(sums, state);
+    if (state.particles_pushed_out > pushed_before)
+      {
+        drift_since_sort += largest_push * parameters.lattice.spacing;
+        state.drift_since_solve += largest_push * parameters.lattice.spacing;
+      }
+  }
+
+  template <int dim>
+  void
   Simulation<dim>::update_step_conditions(const std::vector<ParticleExtremes> &extremes)
   {
-    StepConditions &conditions     = step_conditions;
-    conditions.collider_speed      = boundary.max_speed();
+    StepConditions &conditions = step_conditions;
+    rigid_bodies.update_step_conditions(state, conditions);
     conditions.signal_speed        = 0.;
     conditions.affine_velocity     = 0.;
     conditions.kinematic_viscosity = 0.;
@@ -394,6 +409,9 @@ namespace magmpm
         magnetics->solve_for_output(bodies, state);
         results.write_fields(state, magnetics->potential(), external_field);
       }
+    // Where the next step finds them.
+    rigid_bodies.set_time(state.time);
+    results.write_rigid_bodies(state, external_field, rigid_bodies.bodies());
     results.flush();
   }
 
@@ -405,10 +423,17 @@ namespace magmpm
     double n_particles = 0.;
     for (const Body<dim> &body : bodies)
       n_particles += static_cast<double>(body.particles.size());
+    if (magnetics != nullptr)
+      magnetics->update_reactions(state);
+    state.deepest_penetration = dealii::Utilities::MPI::max(state.deepest_penetration,
+                                                            communicator);
     results.write_statistics(state,
                              sums_over_ranks(bodies, parameters, communicator),
                              dealii::Utilities::MPI::min(n_particles, communicator),
-                             timer->get_summary_data(dealii::TimerOutput::total_wall_time));
+                             timer->get_summary_data(dealii::TimerOutput::total_wall_time),
+                             rigid_bodies.bodies(),
+                             rigid_bodies.forces_on_magnets(state));
+    state.deepest_penetration = 0.;
   }
 
   template <int dim>
@@ -445,8 +470,10 @@ namespace magmpm
     step_conditions = resumed->step_conditions;
     for (std::size_t b = 0; b < checkpoint.particles.size(); ++b)
       bodies[b].particles.append_from_records(checkpoint.particles[b]);
+    rigid_bodies.restore(state.rigid_bodies_at_solve);
     external_field.set_time(state.time_of_last_solve);
     external_field.remember();
+    rigid_bodies.restore(state.rigid_bodies);
     set_up_decomposition();
 
     results.write_header(state, bodies);

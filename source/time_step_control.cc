@@ -22,7 +22,11 @@ namespace magmpm
         text << "Viscous factor times rho dx^2/mu_N, mu_N/rho = " << conditions.kinematic_viscosity
              << " m^2/s";
       else if (limit == "force")
-        text << "Force factor times sqrt(dx/|a|), |a| = " << conditions.acceleration << " m/s^2";
+        text << "Force factor times sqrt(dx/|a|), |a| = "
+             << std::max(conditions.acceleration, conditions.rigid_acceleration) << " m/s^2";
+      else if (limit == "rotation")
+        text << "Affine factor over the rate at which a free rigid body turns or swings, "
+             << conditions.rotation_rate << " 1/s";
       else
         text << "Affine factor over |C|, |C| = " << conditions.affine_velocity << " 1/s";
       return text.str();
@@ -48,8 +52,11 @@ namespace magmpm
     const double speed = conditions.signal_speed + conditions.magnetic_wave_speed;
     limit("elastic", parameters.elastic_factor * dx / std::max(speed, conditions.collider_speed));
     limit("viscous", parameters.viscous_factor * dx * dx / conditions.kinematic_viscosity);
-    limit("force", parameters.force_factor * std::sqrt(dx / conditions.acceleration));
+    limit("force",
+          parameters.force_factor *
+            std::sqrt(dx / std::max(conditions.acceleration, conditions.rigid_acceleration)));
     limit("affine", parameters.affine_factor / conditions.affine_velocity);
+    limit("rotation", parameters.affine_factor / conditions.rotation_rate);
     return step;
   }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <magmpm/boundary/lattice_boundary.h>
 #include <magmpm/domain_decomposition.h>
 #include <magmpm/io/checkpoint.h>
 #include <magmpm/io/parameters.h>
@@ -11,6 +10,7 @@
 #include <magmpm/particles/particle_grid_transfer.h>
 #include <magmpm/particles/particle_sort.h>
 #include <magmpm/particles/particle_sums.h>
+#include <magmpm/rigid_body_coupling.h>
 #include <magmpm/run_control.h>
 #include <magmpm/run_record.h>
 #include <magmpm/runaway_check.h>
@@ -98,6 +98,10 @@ namespace magmpm
     void
     transfer_to_particles();
 
+    /** Puts particles back that came through walls or deep into rigid bodies. */
+    void
+    hold_particles();
+
     void
     update_step_conditions(const std::vector<ParticleExtremes> &extremes);
 
@@ -135,7 +139,7 @@ namespace magmpm
     std::unique_ptr<dealii::TimerOutput> timer;
 
     ExternalField<dim> external_field;
-    LatticeBoundary<dim> boundary;
+    RigidBodyCoupling<dim> rigid_bodies;
     const OpenFaces<dim> open;
     const TimeStepControl time_step_control;
     std::unique_ptr<DomainDecomposition<dim>> decomposition;

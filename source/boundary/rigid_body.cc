@@ -34,10 +34,19 @@ namespace magmpm
   void
   RigidBody<dim>::place(const Pose<dim> &pose_of_shape, const RigidMotion<dim> &motion_of_shape)
   {
-    current_pose.position = pose_of_shape.to_world(centroid);
-    current_pose.rotation = pose_of_shape.rotation;
-    velocity         = motion_of_shape.velocity_at(current_pose.position - pose_of_shape.position);
-    angular_velocity = motion_of_shape.angular_velocity;
+    const Vector<dim> position = pose_of_shape.to_world(centroid);
+    move_to({position, pose_of_shape.rotation},
+            {motion_of_shape.velocity_at(position - pose_of_shape.position),
+             motion_of_shape.angular_velocity});
+  }
+
+  template <int dim>
+  void
+  RigidBody<dim>::move_to(const Pose<dim> &pose, const RigidMotion<dim> &motion)
+  {
+    current_pose     = pose;
+    velocity         = motion.velocity;
+    angular_velocity = motion.angular_velocity;
   }
 
   template <int dim>
@@ -80,8 +89,7 @@ namespace magmpm
       }
     // Rounding adds up over millions of steps: one step of Newton's method towards R^T R = I.
     const Matrix<dim> &rotation = current_pose.rotation;
-    current_pose.rotation       = 1.5 * rotation +
-                            (-0.5) * (rotation * (transpose(rotation) * rotation));
+    current_pose.rotation = 1.5 * rotation + (-0.5) * (rotation * (transpose(rotation) * rotation));
   }
 
   template <int dim>
@@ -135,6 +143,15 @@ namespace magmpm
   }
 
   template <int dim>
+  RigidMotion<dim>
+  RigidBody<dim>::motion_of_shape() const
+  {
+    const RigidMotion<dim> now = motion();
+    return {now.velocity_at(pose_of_shape().position - current_pose.position),
+            now.angular_velocity};
+  }
+
+  template <int dim>
   double
   RigidBody<dim>::max_speed() const
   {
@@ -146,9 +163,9 @@ namespace magmpm
   SurfaceDistance<dim>
   RigidBody<dim>::surface_distance(const Vector<dim> &point) const
   {
-    SurfaceDistance<dim> nearest = body_shape->surface_distance(centroid +
-                                                                current_pose.to_own(point));
-    nearest.normal               = current_pose.rotation * nearest.normal;
+    SurfaceDistance<dim> nearest =
+      body_shape->surface_distance(centroid + current_pose.to_own(point));
+    nearest.normal = current_pose.rotation * nearest.normal;
     return nearest;
   }
 

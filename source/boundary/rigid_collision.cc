@@ -32,9 +32,8 @@ namespace magmpm
             }
       };
       for_numbers([&](const double number) { numbers.push_back(number); });
-      dealii::Utilities::MPI::sum(dealii::ArrayView<const double>(numbers),
-                                  communicator,
-                                  dealii::ArrayView<double>(numbers));
+      dealii::Utilities::MPI::sum(
+        dealii::ArrayView<const double>(numbers), communicator, dealii::ArrayView<double>(numbers));
       std::size_t next = 0;
       for_numbers([&](double &number) { number = numbers[next++]; });
       for (RigidEquation<dim> &equation : equations)

@@ -71,9 +71,9 @@ namespace magmpm
         for (const RigidContact<dim> &contact : contacts)
           states.push_back({contact,
                             contact.point - bodies[contact.body].pose().position,
-                            contact.other == RigidContact<dim>::none ?
-                              Vector<dim>() :
-                              contact.point - bodies[contact.other].pose().position,
+                            contact.other == RigidContact<dim>::none
+                              ? Vector<dim>()
+                              : contact.point - bodies[contact.other].pose().position,
                             0.,
                             {}});
       }
@@ -101,9 +101,9 @@ namespace magmpm
       {
         const RigidContact<dim> &contact = state.contact;
         return motion_of<dim>(motions[contact.body]).velocity_at(state.arm) -
-               (contact.other == RigidContact<dim>::none ?
-                  contact.surface_velocity :
-                  motion_of<dim>(motions[contact.other]).velocity_at(state.arm_of_other));
+               (contact.other == RigidContact<dim>::none
+                  ? contact.surface_velocity
+                  : motion_of<dim>(motions[contact.other]).velocity_at(state.arm_of_other));
       }
 
       /** Velocity along @p direction that a unit impulse along it makes [1/kg]. */
@@ -175,7 +175,7 @@ namespace magmpm
 
       const double time_step;
       std::vector<RigidMatrix<dim>> mobility; ///< by body
-      std::vector<RigidVector<dim>> motions;                 ///< by body
+      std::vector<RigidVector<dim>> motions;  ///< by body
       std::vector<ContactState<dim>> states;
     };
   } // namespace
@@ -241,9 +241,9 @@ namespace magmpm
         const double place     = (face % 2 == 0 ? lattice.lower_corner[d] : upper[d]);
         if (direction * (centre[d] - place) > mover.bounding_radius() + reach)
           continue;
-        const double friction = (walls.condition[face] == WallCondition::stick ?
-                                   std::numeric_limits<double>::infinity() :
-                                   friction_of(mover.contact()));
+        const double friction = (walls.condition[face] == WallCondition::stick
+                                   ? std::numeric_limits<double>::infinity()
+                                   : friction_of(mover.contact()));
         Vector<dim> normal;
         normal[d] = direction;
         for (const Vector<dim> &own : points[body])
@@ -251,8 +251,7 @@ namespace magmpm
             const Vector<dim> point = mover.pose().to_world(own);
             const double gap        = direction * (point[d] - place);
             if (gap < reach)
-              contacts.push_back(
-                {body, RigidContact<dim>::none, point, normal, gap, friction, {}});
+              contacts.push_back({body, RigidContact<dim>::none, point, normal, gap, friction, {}});
           }
       }
   }
@@ -340,16 +339,14 @@ namespace magmpm
       }
   }
 
-#define MAGMPM_INSTANTIATE(dim)                                             \
-  template class RigidContactSearch<dim>;                                   \
-  template std::vector<RigidVector<dim>> solve_contacts(                    \
-    const std::vector<RigidBody<dim>> &,                                    \
-    const std::vector<RigidContact<dim>> &,                                 \
-    const std::vector<RigidEquation<dim>> &,                                \
-    const double);                                                          \
-  template void separate_overlaps(const std::vector<RigidContact<dim>> &,   \
-                                  const double,                             \
-                                  std::vector<RigidBody<dim>> &);
+#define MAGMPM_INSTANTIATE(dim)                                                                  \
+  template class RigidContactSearch<dim>;                                                        \
+  template std::vector<RigidVector<dim>> solve_contacts(const std::vector<RigidBody<dim>> &,     \
+                                                        const std::vector<RigidContact<dim>> &,  \
+                                                        const std::vector<RigidEquation<dim>> &, \
+                                                        const double);                           \
+  template void separate_overlaps(                                                               \
+    const std::vector<RigidContact<dim>> &, const double, std::vector<RigidBody<dim>> &);
 
   MAGMPM_INSTANTIATE(2)
   MAGMPM_INSTANTIATE(3)

@@ -88,10 +88,10 @@ namespace magmpm
                                    const std::vector<RigidVector<dim>> &motions)
   {
     for (Node &node : nodes)
-      node.share = contact_share(bodies[node.body].contact(),
-                                 node.normal,
-                                 node.velocity -
-                                   motion_of<dim>(motions[node.body]).velocity_at(node.from_centre));
+      node.share = contact_share(
+        bodies[node.body].contact(),
+        node.normal,
+        node.velocity - motion_of<dim>(motions[node.body]).velocity_at(node.from_centre));
   }
 
   template <int dim>

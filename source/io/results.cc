@@ -3,6 +3,7 @@
 
 #include <magmpm/io/field_output.h>
 #include <magmpm/io/results.h>
+#include <magmpm/io/rigid_body_columns.h>
 #include <magmpm/io/statistics_columns.h>
 
 #include <cmath>
@@ -120,7 +121,9 @@ namespace magmpm
               progress != nullptr)
     , statistics(communicator,
                  parameters.output.directory + "/statistics.csv",
-                 statistics_columns<dim>(names_of_bodies(parameters), phases),
+                 statistics_columns<dim>(names_of_bodies(parameters),
+                                         phases,
+                                         rigid_body_columns(parameters)),
                  progress != nullptr ? progress->statistics_size : 0)
     , particle_output(communicator, parameters.output.directory)
   {
@@ -132,7 +135,8 @@ namespace magmpm
     particle_output.frames().resume(progress->particle_frames);
     if (field_output != nullptr)
       field_output->frames().resume(progress->field_frames);
-    solves_before = progress->n_solves;
+    earlier_rigid_body_frames = progress->rigid_body_frames;
+    solves_before             = progress->n_solves;
   }
 
   template <int dim>
@@ -144,7 +148,9 @@ namespace magmpm
     progress.particle_frames = particle_output.frames().frames();
     if (field_output != nullptr)
       progress.field_frames = field_output->frames().frames();
-    progress.n_solves = solves_before;
+    progress.rigid_body_frames = rigid_body_output != nullptr ? rigid_body_output->frames().frames()
+                                                              : earlier_rigid_body_frames;
+    progress.n_solves          = solves_before;
     return progress;
   }
 
@@ -203,6 +209,27 @@ namespace magmpm
 
   template <int dim>
   void
+  Results<dim>::write_rigid_bodies(const RunState &state,
+                                   const ExternalField<dim> &sources,
+                                   const RigidBodies<dim> &bodies)
+  {
+    if (!parameters.output.write_rigid_bodies)
+      return;
+    if (rigid_body_output == nullptr)
+      {
+        rigid_body_output =
+          std::make_unique<RigidBodyOutput<dim>>(communicator,
+                                                 parameters.output.directory,
+                                                 sources,
+                                                 bodies,
+                                                 0.5 * parameters.lattice.spacing);
+        rigid_body_output->frames().resume(earlier_rigid_body_frames);
+      }
+    rigid_body_output->write_frame(state.frame, state.time);
+  }
+
+  template <int dim>
+  void
   Results<dim>::report_frame(const RunState &state)
   {
     RunLog::Frame frame;
@@ -223,7 +250,9 @@ namespace magmpm
   Results<dim>::write_statistics(const RunState &state,
                                  const std::vector<ParticleSums<dim>> &sums,
                                  const double fewest_particles,
-                                 const std::map<std::string, double> &seconds)
+                                 const std::map<std::string, double> &seconds,
+                                 const RigidBodies<dim> &rigid_bodies,
+                                 const std::vector<ForceAndTorque<dim>> &forces)
   {
     ParticleSums<dim> total;
     for (const ParticleSums<dim> &sum : sums)
@@ -261,6 +290,7 @@ namespace magmpm
         statistics.set(body_column(body, "magnetic force"), sums[b].magnetic_force);
         statistics.set(body_column(body, "magnetic moment"), sums[b].magnetic_moment);
       }
+    set_rigid_body_columns(parameters, rigid_bodies, forces, state, statistics);
     const bool solved = state.solved_this_step;
     statistics.set("magnetic solves", state.n_solves);
     statistics.set("Newton steps", solved ? solve.newton.steps : 0);

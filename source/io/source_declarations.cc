@@ -39,6 +39,7 @@ namespace magmpm
                       {"separate", ContactCondition::separate}},
                      "Of a magnetized sphere: what material does at its surface; none: it has no "
                      "surface.");
+    declare_free_magnet(declarations, source);
   }
 
   template void

@@ -49,6 +49,7 @@ namespace magmpm
         const auto at_start = [&](const std::string &name, const std::string &expressions) {
           return MotionScript<dim>(expressions, declarations.where(section + "/" + name)).value(0.);
         };
+        check_free_magnet(declarations, section, source);
         if (source.type == SourceType::uniform_field)
           {
             check_given(declarations, section, field, sphere, "Type = uniform field");

@@ -75,15 +75,18 @@ namespace magmpm
             if (-nearest.distance <= tolerated_depth)
               continue;
             ++result.n_held;
+            const double way             = std::min(-nearest.distance - tolerated_depth,
+                                        largest_push * lattice.spacing);
             const Vector<dim> normal     = pose.rotation * nearest.normal;
             const Vector<dim> from_frame = position - pose.position;
             Vector<dim> velocity;
             for (int d = 0; d < dim; ++d)
               {
                 velocity[d] = particles.velocity[d][p];
-                particles.position[d][p] += (-nearest.distance - tolerated_depth) * normal[d];
+                particles.position[d][p] += way * normal[d];
               }
-            const double inward = std::min(0., dot(velocity - motion.velocity_at(from_frame), normal));
+            const double inward = std::min(0.,
+                                           dot(velocity - motion.velocity_at(from_frame), normal));
             for (int d = 0; d < dim; ++d)
               particles.velocity[d][p] -= inward * normal[d];
             const Vector<dim> impulse = (particles.mass[p] * inward) * normal;
@@ -94,13 +97,13 @@ namespace magmpm
     return result;
   }
 
-#define INSTANTIATE(dim)                                                \
-  template RigidHold<dim> hold_outside(const BlockSet<dim> &,           \
-                                       const Lattice<dim> &,            \
-                                       const Shape<dim> &,              \
-                                       const Pose<dim> &,               \
-                                       const RigidMotion<dim> &,        \
-                                       const double,                    \
+#define INSTANTIATE(dim)                                         \
+  template RigidHold<dim> hold_outside(const BlockSet<dim> &,    \
+                                       const Lattice<dim> &,     \
+                                       const Shape<dim> &,       \
+                                       const Pose<dim> &,        \
+                                       const RigidMotion<dim> &, \
+                                       const double,             \
                                        Body<dim> &);
 
   INSTANTIATE(2)

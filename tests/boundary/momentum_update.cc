@@ -20,8 +20,8 @@ namespace
   updated(const Index<2> &node, const std::array<double, n_lanes> &momentum_and_mass)
   {
     const BlockSet<2> blocks({{0, 0}, {1, 0}}, 1); // the second is a ghost
-    const ExternalField<2> no_sources({});
-    const LatticeBoundary<2> boundary(test_lattice(), WallParameters<2>(), no_sources);
+    const std::vector<RigidBody<2>> no_bodies;
+    const LatticeBoundary<2> boundary(test_lattice(), WallParameters<2>(), no_bodies);
     NodeField<2> field;
     field.reinit(blocks.size());
     double *lanes = field.node(blocks.slot(block_of<2>(node)), (node[0] & 3) + 4 * (node[1] & 3));

@@ -51,6 +51,10 @@ namespace magmpm
     void
     place(const Pose<dim> &pose_of_shape, const RigidMotion<dim> &motion_of_shape);
 
+    /** Of a kinematic body: where its own frame is now, and how that moves. */
+    void
+    move_to(const Pose<dim> &pose, const RigidMotion<dim> &motion);
+
     /** Of a free body: its motion now, about the centre of mass. */
     void
     set_motion(const RigidMotion<dim> &motion);
@@ -86,6 +90,10 @@ namespace magmpm
     /** About the origin of the frame of the body. */
     RigidMotion<dim>
     motion() const;
+
+    /** How the frame of the shape moves, about its own origin. */
+    RigidMotion<dim>
+    motion_of_shape() const;
 
     /** [m/s] */
     Vector<dim>

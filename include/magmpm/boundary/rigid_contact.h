@@ -12,13 +12,14 @@ namespace magmpm
   template <int dim>
   struct RigidContact
   {
-    int body;                     ///< number of a free body
-    int other;                    ///< number of another free body; or none: nothing moves the other
-    Vector<dim> point;            ///< [m]
-    Vector<dim> normal;           ///< out of the other surface, of length 1
-    double gap;                   ///< negative if they overlap [m]
-    double friction;              ///< Coulomb's coefficient; infinite if one of them sticks
-    Vector<dim> surface_velocity; ///< of a wall or kinematic body at the point; zero otherwise [m/s]
+    int body;           ///< number of a free body
+    int other;          ///< number of another free body; or none: nothing moves the other
+    Vector<dim> point;  ///< [m]
+    Vector<dim> normal; ///< out of the other surface, of length 1
+    double gap;         ///< negative if they overlap [m]
+    double friction;    ///< Coulomb's coefficient; infinite if one of them sticks
+    Vector<dim>
+      surface_velocity; ///< of a wall or kinematic body at the point; zero otherwise [m/s]
 
     static constexpr int none = -1;
   };
@@ -59,7 +60,7 @@ namespace magmpm
 
     const Lattice<dim> lattice;
     const WallParameters<dim> walls;
-    const double spacing; ///< of the points [m]
+    const double spacing;                         ///< of the points [m]
     std::vector<std::vector<Vector<dim>>> points; ///< by body, in its frame [m]
   };
 

@@ -12,7 +12,7 @@ namespace magmpm
   struct SurfaceContact
   {
     ContactCondition condition = ContactCondition::none;
-    double friction = 0.; ///< Coulomb's coefficient [-], of slip and separate
+    double friction            = 0.; ///< Coulomb's coefficient [-], of slip and separate
   };
 
   /**
@@ -58,6 +58,8 @@ namespace magmpm
   inline Vector<dim>
   taken_by(const ContactShare &share, const Vector<dim> &normal, const Vector<dim> &relative)
   {
+    if (share.normal == 1. && share.tangential == 1.)
+      return relative; // without rounding
     const Vector<dim> along_normal = dot(relative, normal) * normal;
     return share.normal * along_normal + share.tangential * (relative - along_normal);
   }

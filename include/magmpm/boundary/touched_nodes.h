@@ -42,7 +42,7 @@ namespace magmpm
   private:
     struct Node
     {
-      int slot, number;        ///< in the field
+      int slot, number; ///< in the field
       int body;
       Vector<dim> from_centre; ///< of the body [m]
       Vector<dim> normal;      ///< out of the body

@@ -1,0 +1,106 @@
+#pragma once
+
+#include <magmpm/boundary/lattice_boundary.h>
+#include <magmpm/boundary/rigid_bodies.h>
+#include <magmpm/boundary/rigid_collision.h>
+#include <magmpm/io/parameters.h>
+#include <magmpm/io/run_state.h>
+#include <magmpm/lattice/node_field.h>
+#include <magmpm/magnet_forces.h>
+#include <magmpm/magnets/external_field.h>
+#include <magmpm/particles/body.h>
+#include <magmpm/time_step_control.h>
+
+#include <mpi.h>
+
+#include <vector>
+
+namespace magmpm
+{
+  /**
+   * The rigid bodies and magnets in the time loop: what moves them and what they do to the material.
+   * All ranks hold all of them. A scene without any pays nothing.
+   */
+  template <int dim>
+  class RigidBodyCoupling
+  {
+  public:
+    /** All of these must outlive this object. */
+    RigidBodyCoupling(const Parameters<dim> &parameters,
+                      ExternalField<dim> &external_field,
+                      const MPI_Comm communicator);
+
+    /** Moves sources and bodies to where they are at @p time [s]; free ones stay where they are. */
+    void
+    set_time(const double time);
+
+    /**
+     * Gives free bodies the impulses of gravity and magnetic force, and lets bodies and material collide.
+     * Collective if there are free bodies.
+     *
+     * @param field  {momentum [kg m/s], mass [kg]} on owned nodes, becomes {velocity [m/s], mass [kg]}.
+     */
+    void
+    update_lattice(const BlockSet<dim> &blocks,
+                   const double typical_particle_mass,
+                   const RunState &state,
+                   NodeField<dim> &field);
+
+    /** Moves free bodies by a step with their momenta. */
+    void
+    advance(RunState &state);
+
+    /**
+     * Puts particles out that got deep into bodies.
+     *
+     * @return numbers that are to be summed over the ranks and given to take_held(); none without bodies.
+     */
+    std::vector<double>
+    hold_particles(const BlockSet<dim> &blocks,
+                   std::vector<Body<dim>> &bodies,
+                   RunState &state) const;
+
+    /** Counts what was put out, and gives free bodies the momentum that particles lost. */
+    void
+    take_held(const std::vector<double> &sums, RunState &state);
+
+    /** What of the bodies limits the next step. */
+    void
+    update_step_conditions(const RunState &state, StepConditions &conditions);
+
+    /** Goes back to where the free bodies of a record are (RigidBodies::record()). */
+    void
+    restore(const std::vector<double> &record);
+
+    const RigidBodies<dim> &
+    bodies() const
+    {
+      return rigid_bodies;
+    }
+
+    /** Force and torque on each source, about its position. */
+    std::vector<ForceAndTorque<dim>>
+    forces_on_magnets(const RunState &state)
+    {
+      return magnet_forces.total(state.reactions);
+    }
+
+  private:
+    /** The impulses of gravity and magnetic force in a step. */
+    void
+    accelerate(const RunState &state);
+
+    /** Magnetic force on a body and torque about its centre of mass, from those about its source. */
+    ForceAndTorque<dim>
+    magnetic_force(const std::size_t body, const std::vector<ForceAndTorque<dim>> &forces) const;
+
+    const Parameters<dim> &parameters;
+    ExternalField<dim> &external_field;
+    const MPI_Comm communicator;
+
+    RigidBodies<dim> rigid_bodies;
+    const LatticeBoundary<dim> boundary;
+    const RigidCollision<dim> collision;
+    MagnetForces<dim> magnet_forces;
+  };
+} // namespace magmpm
