@@ -3,6 +3,7 @@
 
 #include <magmpm/carried_reaction.h>
 #include <magmpm/magnetic_coupling.h>
+#include <magmpm/magnetics/mirror_images.h>
 #include <magmpm/magnetics/potential_problem.h>
 #include <magmpm/magnetics/source_reaction.h>
 #include <magmpm/particles/carried_force.h>
@@ -174,6 +175,8 @@ namespace magmpm
     magnetic_mass_to_lattice(bodies, blocks, parameters.lattice, masses);
     decomposition.partition().add_ghosts_to_owners(masses);
     decomposition.partition().update_ghosts(masses);
+    add_mirror_images(
+      decomposition.partition(), parameters.lattice, parameters.magnetics.shielded, masses);
     state.dropped_magnetic_force = norm(problem->compute_force(masses, force));
     for (int slot = 0; slot < blocks.n_owned(); ++slot)
       for (int n = 0; n < nodes_per_block<dim>; ++n)

@@ -73,9 +73,8 @@ namespace magmpm
     for (const BodyParameters<dim> &body : parameters.bodies)
       {
         bodies.emplace_back(body, parameters.material_of(body));
-        const double particle_volume =
-          std::pow(parameters.lattice.spacing / body.particles_per_edge, dim);
-        typical_particle_mass = std::max(typical_particle_mass, body.density * particle_volume);
+        typical_particle_mass = std::max(typical_particle_mass,
+                                         body.density * body.particle_volume(parameters.lattice));
       }
     // Results have begun anew, or go on: an older checkpoint no longer belongs to them.
     if (checkpoint)
