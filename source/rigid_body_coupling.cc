@@ -1,3 +1,5 @@
+#include <deal.II/base/mpi.h>
+
 #include <magmpm/boundary/momentum_update.h>
 #include <magmpm/particles/rigid_hold.h>
 #include <magmpm/rigid_body_coupling.h>
@@ -117,10 +119,31 @@ namespace magmpm
   }
 
   template <int dim>
-  std::vector<double>
+  double
   RigidBodyCoupling<dim>::hold_particles(const BlockSet<dim> &blocks,
+                                         const OpenFaces<dim> &open,
                                          std::vector<Body<dim>> &bodies,
-                                         RunState &state) const
+                                         RunState &state)
+  {
+    std::vector<double> sums = push_out(blocks, bodies, state);
+    std::size_t n_held       = 0;
+    for (Body<dim> &body : bodies)
+      n_held += hold_at_walls(blocks, parameters.lattice, open, body);
+    sums.push_back(static_cast<double>(n_held));
+    dealii::Utilities::MPI::sum(sums, communicator, sums);
+    state.held_particles += static_cast<std::size_t>(sums.back());
+
+    const std::size_t pushed_before = state.particles_pushed_out;
+    take_pushed(sums, state);
+    const bool any_pushed = state.particles_pushed_out > pushed_before;
+    return any_pushed ? largest_push * parameters.lattice.spacing : 0.;
+  }
+
+  template <int dim>
+  std::vector<double>
+  RigidBodyCoupling<dim>::push_out(const BlockSet<dim> &blocks,
+                                   std::vector<Body<dim>> &bodies,
+                                   RunState &state) const
   {
     std::vector<double> sums;
     for (const RigidBody<dim> &rigid_body : rigid_bodies.all())
@@ -149,7 +172,7 @@ namespace magmpm
 
   template <int dim>
   void
-  RigidBodyCoupling<dim>::take_held(const std::vector<double> &sums, RunState &state)
+  RigidBodyCoupling<dim>::take_pushed(const std::vector<double> &sums, RunState &state)
   {
     state.particles_inside = 0;
     const double *next     = sums.data();

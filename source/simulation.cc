@@ -151,10 +151,9 @@ namespace magmpm
     return request != RunControl::Request::none || (is_at_end() && wanted.is_wanted());
   }
 
-  // One step, section 4.3 of Sun et al. 2021.
   template <int dim>
   void
-  Simulation<dim>::advance_one_step()
+  Simulation<dim>::choose_time_step()
   {
     const TimeStep step =
       time_step_control.next_step(step_conditions, state.time, time_of_next_frame());
@@ -165,17 +164,25 @@ namespace magmpm
         state.full_time_step = step.length;
         state.full_limit     = step.limit;
       }
+  }
+
+  // One step, section 4.3 of Sun et al. 2021.
+  template <int dim>
+  void
+  Simulation<dim>::advance_one_step()
+  {
+    choose_time_step();
     state.solved_this_step = false;
 
     rigid_bodies.set_time(state.time);
     update_magnetics(); // Eqs. (25)-(33)
     relax_fluids();
-    transfer_to_lattice(step.length); // Eq. (28)
-    update_lattice();                 // Eqs. (33), (34)
+    transfer_to_lattice(); // Eq. (28)
+    update_lattice();      // Eqs. (33), (34)
     rigid_bodies.advance(state);
     transfer_to_particles(); // Eqs. (35)-(37)
 
-    state.time += step.length;
+    state.time += state.time_step;
     ++state.step;
     // Now, not before the next step: output also counts on particles being in their arenas.
     if (drift_since_sort > tolerated_drift * parameters.lattice.spacing)
@@ -311,11 +318,11 @@ namespace magmpm
 
   template <int dim>
   void
-  Simulation<dim>::transfer_to_lattice(const double time_step)
+  Simulation<dim>::transfer_to_lattice()
   {
     dealii::TimerOutput::Scope timed(*timer, "P2G");
     particles_to_lattice(
-      bodies, decomposition->blocks(), parameters.lattice, time_step, lattice_field);
+      bodies, decomposition->blocks(), parameters.lattice, state.time_step, lattice_field);
     decomposition->partition().add_ghosts_to_owners(lattice_field);
   }
 
@@ -336,7 +343,7 @@ namespace magmpm
     dealii::TimerOutput::Scope timed(*timer, "G2P");
     std::vector<ParticleExtremes> extremes = lattice_to_particles(
       lattice_field, decomposition->blocks(), parameters.lattice, state.time_step, bodies);
-    hold_particles();
+    drift_since_sort += rigid_bodies.hold_particles(decomposition->blocks(), open, bodies, state);
 
     request = static_cast<RunControl::Request>(
       maximize_over_ranks(extremes, static_cast<double>(control.request()), communicator));
@@ -349,27 +356,6 @@ namespace magmpm
     state.max_speed = speed;
     check_for_runaways(bodies, extremes, parameters.runaway_limits, state, communicator);
     update_step_conditions(extremes);
-  }
-
-  template <int dim>
-  void
-  Simulation<dim>::hold_particles()
-  {
-    std::vector<double> sums = rigid_bodies.hold_particles(decomposition->blocks(), bodies, state);
-    std::size_t n_held       = 0;
-    for (Body<dim> &body : bodies)
-      n_held += hold_at_walls(decomposition->blocks(), parameters.lattice, open, body);
-    sums.push_back(static_cast<double>(n_held));
-    dealii::Utilities::MPI::sum(sums, communicator, sums);
-    state.held_particles += static_cast<std::size_t>(sums.back());
-
-    const std::size_t pushed_before = state.particles_pushed_out;
-    rigid_bodies.take_held(sums, state);
-    if (state.particles_pushed_out > pushed_before)
-      {
-        drift_since_sort += largest_push * parameters.lattice.spacing;
-        state.drift_since_solve += largest_push * parameters.lattice.spacing;
-      }
   }
 
   template <int dim>

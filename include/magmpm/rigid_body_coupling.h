@@ -9,6 +9,7 @@
 #include <magmpm/magnet_forces.h>
 #include <magmpm/magnets/external_field.h>
 #include <magmpm/particles/body.h>
+#include <magmpm/particles/box_faces.h>
 #include <magmpm/time_step_control.h>
 
 #include <mpi.h>
@@ -51,18 +52,16 @@ namespace magmpm
     advance(RunState &state);
 
     /**
-     * Puts particles out that got deep into bodies.
+     * Puts particles back that came through walls or deep into bodies, counts them, and gives free bodies
+     * the momentum that they lost. One sum over the ranks.
      *
-     * @return numbers that are to be summed over the ranks and given to take_held(); none without bodies.
+     * @return the longest way that a particle was put [m], of all ranks, or more; onto a wall: zero.
      */
-    std::vector<double>
+    double
     hold_particles(const BlockSet<dim> &blocks,
+                   const OpenFaces<dim> &open,
                    std::vector<Body<dim>> &bodies,
-                   RunState &state) const;
-
-    /** Counts what was put out, and gives free bodies the momentum that particles lost. */
-    void
-    take_held(const std::vector<double> &sums, RunState &state);
+                   RunState &state);
 
     /** What of the bodies limits the next step. */
     void
@@ -93,6 +92,19 @@ namespace magmpm
     /** Magnetic force on a body and torque about its centre of mass, from those about its source. */
     ForceAndTorque<dim>
     magnetic_force(const std::size_t body, const std::vector<ForceAndTorque<dim>> &forces) const;
+
+    /**
+     * Puts particles out that got deep into bodies.
+     *
+     * @return of each body with a surface in turn, on this rank: particles inside, particles put out, and
+     *         the components of the momentum and angular momentum that these lost.
+     */
+    std::vector<double>
+    push_out(const BlockSet<dim> &blocks, std::vector<Body<dim>> &bodies, RunState &state) const;
+
+    /** Counts what push_out() of all ranks together did, and gives free bodies the momentum. */
+    void
+    take_pushed(const std::vector<double> &sums, RunState &state);
 
     const Parameters<dim> &parameters;
     ExternalField<dim> &external_field;

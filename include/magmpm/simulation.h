@@ -73,6 +73,10 @@ namespace magmpm
     void
     set_up_decomposition();
 
+    /** The length of this step, and what limits it. */
+    void
+    choose_time_step();
+
     void
     advance_one_step();
 
@@ -90,17 +94,13 @@ namespace magmpm
 
     /** P2G of momentum and mass, summed over the ranks. */
     void
-    transfer_to_lattice(const double time_step);
+    transfer_to_lattice();
 
     void
     update_lattice();
 
     void
     transfer_to_particles();
-
-    /** Puts particles back that came through walls or deep into rigid bodies. */
-    void
-    hold_particles();
 
     void
     update_step_conditions(const std::vector<ParticleExtremes> &extremes);

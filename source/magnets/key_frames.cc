@@ -8,20 +8,20 @@
 
 namespace magmpm
 {
+  bool
+  is_key_frame_table(const std::string &text)
+  {
+    std::istringstream stream(text);
+    double number;
+    return static_cast<bool>(stream >> number);
+  }
+
   namespace
   {
     [[noreturn]] void
     refuse(const std::string &subject, const std::string &complaint)
     {
       throw InputError(subject + ": " + complaint);
-    }
-
-    bool
-    begins_with_number(const std::string &text)
-    {
-      std::istringstream stream(text);
-      double number;
-      return static_cast<bool>(stream >> number);
     }
 
     /** Lines of the file, or what semicolons separate; without comments and what is empty. */
@@ -36,7 +36,7 @@ namespace magmpm
               first != std::string::npos && line[first] != '#')
             lines.push_back(line.substr(first, line.find_last_not_of(" \t\r") - first + 1));
       };
-      if (begins_with_number(table))
+      if (is_key_frame_table(table))
         {
           std::istringstream stream(table);
           keep_lines(stream, ';');
@@ -49,7 +49,7 @@ namespace magmpm
                  "' that can be read. Give the name of a CSV file, or the rows themselves, "
                  "separated by semicolons.");
       keep_lines(stream, '\n');
-      if (!lines.empty() && !begins_with_number(lines.front()))
+      if (!lines.empty() && !is_key_frame_table(lines.front()))
         lines.erase(lines.begin());
       return lines;
     }

@@ -121,6 +121,18 @@ namespace magmpm
     return (1. / (4. * pi)) * sum;
   }
 
+  bool
+  MagnetizedMesh::is_inside(const Vector<3> &point) const
+  {
+    for (int d = 0; d < 3; ++d)
+      if (point[d] <= box.lower[d] || point[d] >= box.upper[d])
+        return false;
+    double angle = 0.; // -4 pi inside, 0 outside
+    for (const Triangle &triangle : triangles)
+      angle += solid_angle(triangle, point);
+    return angle < -2. * pi;
+  }
+
   Vector<3>
   MagnetizedMesh::strength(const Vector<3> &magnetization) const
   {
@@ -160,10 +172,7 @@ namespace magmpm
             const Vector<3> middle = {{box.lower[0] + (i + 0.5) * edges[0] / n[0],
                                        box.lower[1] + (j + 0.5) * edges[1] / n[1],
                                        box.lower[2] + (k + 0.5) * edges[2] / n[2]}};
-            double angle           = 0.; // -4 pi inside, 0 outside
-            for (const Triangle &triangle : triangles)
-              angle += solid_angle(triangle, middle);
-            if (angle > -2. * pi)
+            if (!is_inside(middle))
               continue;
             middles.push_back(middle);
             mean += middle;

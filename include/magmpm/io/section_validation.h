@@ -42,10 +42,11 @@ namespace magmpm
                const ParameterInput<dim> &input,
                Parameters<dim> &parameters);
 
+  /** The files of meshes and key frames become the paths at which they are found. */
   template <int dim>
   void
   check_sources(const ParameterRegister &declarations,
-                const Parameters<dim> &parameters,
+                Parameters<dim> &parameters,
                 const std::vector<std::unique_ptr<Shape<dim>>> &body_shapes);
 
   /** Also that a free magnet has mass, and a place to begin at; others must not have these. */

@@ -42,6 +42,13 @@ namespace magmpm
     virtual Matrix<dim>
     field_gradient(const Vector<dim> &point) const = 0;
 
+    /** The magnetization M [A/m] at @p point [m]: with H, B = mu_0 (H + M). */
+    virtual Vector<dim>
+    magnetization(const Vector<dim> & /*point*/) const
+    {
+      return {};
+    }
+
     /** Whether the field never changes in time. */
     virtual bool
     is_constant() const = 0;
