@@ -1,5 +1,5 @@
-// What the scenes of parameter_files/ are there to show, as numbers: each file is run as it is, but for
-// larger cells, and again with its field off. What a picture shows at 1/128 m holds at 1/32 m too.
+// What the scenes of parameter_files/ are there to show, as numbers. Each file is run as it is, but
+// with larger cells or a smaller piece of it, and again with its field off, which must not show it.
 
 #include "catch.h"
 #include "program/particle_frames.h"
