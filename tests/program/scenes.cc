@@ -152,8 +152,8 @@ TEST_CASE("Fluid climbs a strong magnet only, and gathers more if it is viscous"
 
 TEST_CASE("A spike rises to a magnet that comes near", "[program]")
 {
-  // The fluid rises below the magnet, more the nearer it is, and then by itself, since a higher
-  // spike is nearer. It stays flat without field, and nearly so if the magnet stays where it starts.
+  // The fluid rises below the magnet, more the nearer it is, and faster and faster, since a higher
+  // spike is nearer. It stays flat without field, and nearly so if the magnet does not come.
   const auto frames_with = [](const std::string &options) {
     return frames_of("spike", "0.03125", "0.03", "--set 'End time=0.12' " + options);
   };
