@@ -180,6 +180,9 @@ namespace magmpm
                        positive);
       declarations.add("Particles", output.write_particles, "Whether particles are written.");
       declarations.add("Fields", output.write_fields, "Whether magnetic fields are written.");
+      declarations.add("Surface",
+                       output.write_surface,
+                       "Whether a surface around the particles of each body is written.");
       declarations.add("Particle quantities",
                        output.particle_quantities,
                        std::vector<std::string>(output.particle_quantities),
