@@ -440,6 +440,7 @@ namespace magmpm
     if (state.frame > 0)
       results.report_frame(state);
     results.write_particles(state, bodies);
+    results.write_surface(state, bodies);
     if (results.writes_fields())
       {
         // The mesh may have changed since the last solve: then the potential is found anew. The
