@@ -180,6 +180,7 @@ namespace magmpm
                      "Coulomb's coefficient of friction at the surface, with Contact = slip or "
                      "separate.",
                      not_negative);
+    declare_free_magnet(declarations, source);
   }
 
   template void

@@ -270,6 +270,7 @@ namespace magmpm
         check_sizes(declarations, section, source);
         check_expressions(declarations, section, source);
         const auto made = make_checked(declarations, section, source);
+        check_free_magnet(declarations, section, source);
         if (source.contact != ContactCondition::none || made->refuses_material())
           check_clear_of_bodies(
             declarations,

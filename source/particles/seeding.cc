@@ -89,14 +89,18 @@ namespace magmpm
                                    row * row_length + i;
           Vector<dim> position;
           std::uint64_t rest = row;
+          int sum_of_places  = 0;
           for (int d = 0; d < dim; ++d)
             {
               const int place = places.first[d] +
                                 static_cast<int>(d == 0 ? i : rest % places.count[d]);
               if (d > 0)
                 rest /= places.count[d];
+              sum_of_places += place;
               position[d] = lattice.lower_corner[d] + places.spacing * (place + 0.5);
             }
+          if (parameters.arrangement == Arrangement::face_centred && sum_of_places % 2 != 0)
+            continue;
           // Inside or not is asked of the regular place, so that jitter does not change how many.
           if (!shape->contains(position))
             continue;
@@ -107,7 +111,7 @@ namespace magmpm
             particles.component(ParticleProperty::position, d)[p] =
               position[d] + parameters.jitter * places.spacing * random_offset(dim * id + d);
           set_motion(parameters, centre, p, particles);
-          const double volume                                 = std::pow(places.spacing, dim);
+          const double volume                                 = parameters.particle_volume(lattice);
           particles.component(ParticleProperty::volume, 0)[p] = volume;
           particles.component(ParticleProperty::mass, 0)[p]   = parameters.density * volume;
           // The undeformed state: the identity, or J = 1.

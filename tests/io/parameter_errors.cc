@@ -512,3 +512,59 @@ end
         "--set \"Bodies/disc/Angular velocity=1, 2, 3\": Bodies/disc/Angular velocity = 1, 2, 3: "
         "must be a number [rad/s]. (Spin at the start about the centre of mass.)");
 }
+
+namespace
+{
+  /** The valid scene with a free rigid box above the cube. */
+  std::string
+  with_raft(const std::string &lines)
+  {
+    return std::string(valid_text) +
+           "subsection Rigid bodies\n  set List of rigid bodies = raft\n  subsection raft\n"
+           "    set Lower corner = 0.25, 0.25, 0.76\n    set Upper corner = 0.75, 0.75, 0.96\n" +
+           lines + "  end\nend\n";
+  }
+} // namespace
+
+TEST_CASE("a rigid body that is not what it should be", "[io]")
+{
+  // Each fault on its own; the scene itself is valid, free and scripted.
+  CHECK(message_on(with_raft("set Density = 500\n")).empty());
+  CHECK(message_on(with_raft("set Motion = scripted\nset Position = 0.5; 0.5; 0.86 + 0.1*t\n")).empty());
+  CHECK_THAT(message_on(with_raft("")),
+             Catch::Contains("with Motion = free exactly one of Density and Mass must be given, but "
+                             "none is."));
+  CHECK_THAT(message_on(with_raft("set Density = 500\nset Mass = 1\n")),
+             Catch::Contains("but both are."));
+  CHECK_THAT(message_on(with_raft("set Motion = scripted\nset Density = 500\n")),
+             Catch::Contains("Rigid bodies/raft/Density"));
+  CHECK_THAT(message_on(with_raft("set Density = 500\nset Position = 0; 0; 0\n")),
+             Catch::Contains("Rigid bodies/raft/Position"));
+  CHECK_THAT(message_on(with_raft("set Density = 500\n"),
+                        {"Rigid bodies/raft/Lower corner=0.25, 0.25, 0.7"}),
+             Catch::Contains("it overlaps the body 'cube' at the start; move them apart."));
+  CHECK_THAT(message_on(with_raft("set Density = 500\n"),
+                        {"Rigid bodies/raft/Upper corner=0.75, 0.75, 1.2"}),
+             Catch::Contains("outside of the box"));
+  CHECK_THAT(message_on(with_raft("set Motion = scripted\nset Position = 0.5; 0.5\n")),
+             Catch::Contains("has 2 components, not 3"));
+}
+
+TEST_CASE("a free magnet that cannot be one", "[io]")
+{
+  // A free magnet needs mass and a place at the start; a magnet that is not free must not have mass.
+  CHECK(message_on(valid_text, {"Magnets/magnet/Free=true", "Magnets/magnet/Mass=1"}).empty());
+  CHECK_THAT(message_with("Magnets/magnet/Mass=1"), Catch::Contains("Free = false"));
+  CHECK_THAT(message_with("Magnets/magnet/Free=true"),
+             Catch::Contains("with Free = true exactly one of Density and Mass must be given"));
+  CHECK_THAT(message_on(valid_text,
+                        {"Magnets/magnet/Free=true",
+                         "Magnets/magnet/Mass=1",
+                         "Magnets/magnet/Position=0.5; 0.5; 0.25 + t"}),
+             Catch::Contains("it must not depend on t"));
+  CHECK_THAT(message_on(valid_text,
+                        {"Magnets/magnet/Free=true",
+                         "Magnets/magnet/Mass=1",
+                         "Magnets/magnet/Type=uniform field"}),
+             Catch::Contains("a uniform field is nowhere; set it to false."));
+}

@@ -74,6 +74,13 @@ namespace magmpm
       return 0.;
     }
 
+    /** Whether it is somewhere; otherwise nothing acts on it. */
+    virtual bool
+    has_place() const
+    {
+      return true;
+    }
+
     /** Where the source is; at rest in the origin if it has no place. */
     virtual const Pose<dim> &
     pose() const = 0;
