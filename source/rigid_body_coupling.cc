@@ -61,8 +61,13 @@ namespace magmpm
                                          const RunState &state,
                                          NodeField<dim> &field)
   {
-    update_lattice_momentum(
-      blocks, boundary, parameters.gravity, state.time_step, typical_particle_mass, field);
+    update_lattice_momentum(blocks,
+                            boundary,
+                            parameters.gravity,
+                            state.time_step,
+                            parameters.rest.damping_rate,
+                            typical_particle_mass,
+                            field);
     if (!rigid_bodies.any_is_free())
       return;
     accelerate(state);

@@ -2,12 +2,14 @@
 #include <deal.II/base/timer.h>
 #include <deal.II/base/utilities.h>
 
+#include <magmpm/artificial_attraction.h>
 #include <magmpm/base/version.h>
 #include <magmpm/fluid_density.h>
 #include <magmpm/io/number_text.h>
 #include <magmpm/io/parameter_changes.h>
 #include <magmpm/magnetic_coupling.h>
 #include <magmpm/particle_reductions.h>
+#include <magmpm/particles/carried_force.h>
 #include <magmpm/particles/seeding.h>
 #include <magmpm/simulation.h>
 
@@ -65,10 +67,12 @@ namespace magmpm
     , rigid_bodies(this->parameters, external_field, communicator)
     , open(open_faces(parameters.walls))
     , time_step_control(parameters.time_step, parameters.lattice.spacing)
+    , rest(parameters.rest)
     , checkpoints(communicator, parameters.output.directory, parameters.checkpoint.n_kept)
     , control(parameters.checkpoint,
               parameters.output.directory,
               dealii::Utilities::MPI::this_mpi_process(communicator))
+    , attraction(parameters.attraction)
   {
     for (const BodyParameters<dim> &body : parameters.bodies)
       {
@@ -97,7 +101,8 @@ namespace magmpm
         while (!is_at_end() && !is_stopped())
           {
             advance_one_step();
-            const bool frame_is_complete = state.time >= (1. - 1e-9) * time_of_next_frame();
+            const bool frame_is_complete = rest.is_over(state) ||
+                                           state.time >= (1. - 1e-9) * time_of_next_frame();
             if (frame_is_complete)
               {
                 ++state.frame;
@@ -117,6 +122,10 @@ namespace magmpm
     if (is_stopped())
       results.log().message("stopped by " + RunControl::reason(request) +
                             "; go on with: magmpm --resume, and the same parameter file");
+    else if (rest.is_over(state))
+      results.log().message("ended since " + rest.reason());
+    else
+      results.log().message("ended at the end time");
     results.log().end();
   }
 
@@ -131,7 +140,7 @@ namespace magmpm
   bool
   Simulation<dim>::is_at_end() const
   {
-    return state.time >= (1. - 1e-12) * parameters.end_time;
+    return rest.is_over(state) || state.time >= (1. - 1e-12) * parameters.end_time;
   }
 
   template <int dim>
@@ -176,6 +185,7 @@ namespace magmpm
 
     rigid_bodies.set_time(state.time);
     update_magnetics(); // Eqs. (25)-(33)
+    attract_bodies();
     relax_fluids();
     transfer_to_lattice(); // Eq. (28)
     update_lattice();      // Eqs. (33), (34)
@@ -187,7 +197,8 @@ namespace magmpm
     // Now, not before the next step: output also counts on particles being in their arenas.
     if (drift_since_sort > tolerated_drift * parameters.lattice.spacing)
       regroup_particles();
-    if (state.step % parameters.output.statistics_every == 0)
+    check_for_rest();
+    if (state.step % parameters.output.statistics_every == 0 || rest.is_over(state))
       write_statistics();
   }
 
@@ -197,7 +208,7 @@ namespace magmpm
   {
     magnetics.reset(); // sees the mesh
     decomposition = std::make_unique<DomainDecomposition<dim>>(parameters, communicator);
-    if (parameters.mesh.carries_potential)
+    if (parameters.mesh.carries_potential && !(attraction.matches_magnets && state.attraction > 0.))
       magnetics = std::make_unique<MagneticCoupling<dim>>(
         parameters, *decomposition, external_field, *timer, communicator);
     // Where particles are when a run begins or is resumed is no migration, and no change of the mesh.
@@ -234,7 +245,10 @@ namespace magmpm
     rigid_bodies.set_time(0.);
     step_conditions.acceleration = norm(parameters.gravity);
     update_magnetics();
+    match_attraction();
     results.write_header(state, bodies);
+    if (attraction.is_wanted())
+      results.log().message(description(attraction));
 
     // What limits the first step is not known from a step before it.
     std::vector<ParticleExtremes> extremes;
@@ -291,6 +305,46 @@ namespace magmpm
                                         communicator,
                                         lattice_field,
                                         bodies);
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::match_attraction()
+  {
+    if (!attraction.matches_magnets)
+      return;
+    state.attraction = attraction.acceleration =
+      matched_acceleration(parameters, bodies, communicator);
+    magnetics.reset();
+    for (Body<dim> &body : bodies)
+      drop_carried_force(body);
+    state.last_solve.energy             = 0.;
+    step_conditions.magnetic_wave_speed = 0.;
+    step_conditions.acceleration        = norm(parameters.gravity);
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::attract_bodies()
+  {
+    if (!attraction.is_wanted())
+      return;
+    double largest = 0.;
+    for (Body<dim> &body : bodies)
+      largest = std::max(largest, attract(attraction, state.time_step, body));
+    step_conditions.attraction = dealii::Utilities::MPI::max(largest, communicator);
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::check_for_rest()
+  {
+    if (!rest.is_due(state))
+      return;
+    ParticleSums<dim> total;
+    for (const ParticleSums<dim> &sums : sums_over_ranks(bodies, parameters, communicator))
+      total += sums;
+    rest.note_speed(2. * total.kinetic_energy / total.mass, state);
   }
 
   template <int dim>
@@ -454,6 +508,8 @@ namespace magmpm
 
     state           = resumed->state;
     step_conditions = resumed->step_conditions;
+    if (attraction.matches_magnets)
+      attraction.acceleration = state.attraction;
     for (std::size_t b = 0; b < checkpoint.particles.size(); ++b)
       bodies[b].particles.append_from_records(checkpoint.particles[b]);
     rigid_bodies.restore(state.rigid_bodies_at_solve);

@@ -10,6 +10,7 @@
 #include <magmpm/particles/particle_grid_transfer.h>
 #include <magmpm/particles/particle_sort.h>
 #include <magmpm/particles/particle_sums.h>
+#include <magmpm/rest_check.h>
 #include <magmpm/rigid_body_coupling.h>
 #include <magmpm/run_control.h>
 #include <magmpm/run_record.h>
@@ -84,6 +85,18 @@ namespace magmpm
     void
     regroup_particles();
 
+    /** Gives the artificial attraction, if it is to, the total force of the magnets, and ends theirs. */
+    void
+    match_attraction();
+
+    /** Adds the impulse of the artificial attraction to the particles. */
+    void
+    attract_bodies();
+
+    /** Notes whether all material is at rest, if that is to end the run. */
+    void
+    check_for_rest();
+
     /** Draws the J of fluids towards that of the lattice, every few steps. */
     void
     relax_fluids();
@@ -142,6 +155,7 @@ namespace magmpm
     RigidBodyCoupling<dim> rigid_bodies;
     const OpenFaces<dim> open;
     const TimeStepControl time_step_control;
+    const RestCheck rest;
     std::unique_ptr<DomainDecomposition<dim>> decomposition;
     std::unique_ptr<MagneticCoupling<dim>> magnetics; ///< null without magnetic material
 
@@ -154,6 +168,7 @@ namespace magmpm
 
     RunState state;
     StepConditions step_conditions;
+    PointAttraction<dim> attraction;
     double typical_particle_mass = 0.; ///< [kg]
     double drift_since_sort      = 0.; ///< the longest way a particle can have gone [m]
   };

@@ -27,6 +27,7 @@ namespace magmpm
     double affine_velocity     = 0.; ///< |C| [1/s]
     double rigid_acceleration  = 0.; ///< of free rigid bodies [m/s^2]
     double rotation_rate       = 0.; ///< of free rigid bodies: how fast they turn or swing [1/s]
+    double attraction          = 0.; ///< of the artificial attraction [m/s^2]
 
     template <typename Archive>
     void
@@ -40,6 +41,7 @@ namespace magmpm
       archive &affine_velocity;
       archive &rigid_acceleration;
       archive &rotation_rate;
+      archive &attraction;
     }
   };
 

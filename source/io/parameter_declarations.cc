@@ -273,6 +273,8 @@ namespace magmpm
     }
     declare_walls(declarations, parameters.walls);
     declare_magnetics(declarations, input, parameters);
+    declare_attraction(declarations, input, parameters.attraction);
+    declare_rest(declarations, parameters.rest);
     declare_time_step(declarations, parameters.time_step);
     declare_runaway_limits(declarations, parameters.runaway_limits);
     declare_ranks(declarations, parameters.mesh.imbalance_threshold);

@@ -142,6 +142,7 @@ namespace magmpm
            Parameters<dim> &parameters)
   {
     check_box(declarations, input, parameters.lattice);
+    convert_magnetization_curve(declarations, input, parameters.magnetics);
     convert_materials(declarations, input, parameters);
     const auto body_shapes = check_bodies(declarations, input, parameters);
     check_sources(declarations, parameters, body_shapes);
@@ -154,6 +155,8 @@ namespace magmpm
       std::any_of(parameters.bodies.begin(), parameters.bodies.end(), [&](const auto &body) {
         return parameters.material_of(body).magnetic.is_magnetic();
       });
+    convert_attraction(declarations, input, parameters);
+    check_rest(declarations, parameters);
     collect_warnings(declarations, parameters);
   }
 

@@ -66,7 +66,7 @@ namespace magmpm
     ParticleQuantity
     written_quantity(const std::string &name,
                      const std::vector<Body<dim>> &bodies,
-                     const MagnetizationLaw law)
+                     const MagnetizationModel &law)
     {
       const auto fill = [&](const std::string &unit, const int n_components, const auto &value) {
         ParticleQuantity quantity;
@@ -194,7 +194,7 @@ namespace magmpm
       for (std::size_t p = 0; p < body.particles.size(); ++p)
         positions.push_back(body.particles.position(p));
     for (const std::string &name : parameters.output.particle_quantities)
-      quantities.push_back(written_quantity(name, bodies, parameters.magnetics.law));
+      quantities.push_back(written_quantity(name, bodies, parameters.magnetics.model()));
     particle_output.write_frame(state.frame, state.time, positions, quantities);
   }
 

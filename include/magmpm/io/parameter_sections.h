@@ -47,6 +47,16 @@ namespace magmpm
   void
   declare_rigid_body(ParameterRegister &declarations, RigidBodyParameters<dim> &body);
 
+  /** The section Attraction. */
+  template <int dim>
+  void
+  declare_attraction(ParameterRegister &declarations,
+                     ParameterInput<dim> &input,
+                     PointAttraction<dim> &attraction);
+
+  void
+  declare_rest(ParameterRegister &declarations, RestParameters &rest);
+
   /** The section Magnetics: law, potential, solvers. */
   template <int dim>
   void

@@ -10,6 +10,7 @@
 #include <magmpm/materials/material_parameters.h>
 #include <magmpm/mesh/mesh_parameters.h>
 #include <magmpm/particles/body_parameters.h>
+#include <magmpm/particles/point_attraction.h>
 
 #include <string>
 #include <vector>
@@ -33,10 +34,12 @@ namespace magmpm
     std::vector<SourceParameters<dim>> sources;
     std::vector<RigidBodyParameters<dim>> rigid_bodies;
 
+    PointAttraction<dim> attraction;
     WallParameters<dim> walls;
     MeshParameters<dim> mesh;
     MagneticsParameters<dim> magnetics;
     TimeStepParameters time_step;
+    RestParameters rest;
     SolveTriggerParameters solve_trigger;
     RunawayLimits runaway_limits;
     OutputParameters output;

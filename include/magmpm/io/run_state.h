@@ -76,6 +76,11 @@ namespace magmpm
     std::size_t particles_inside     = 0; ///< of rigid bodies, in the last step, all ranks
     std::size_t particles_pushed_out = 0; ///< of rigid bodies so far, all ranks
 
+    double attraction = 0.; ///< g0 of the artificial attraction, matched to the magnets [m/s^2]
+
+    /** Since when the material is at rest [s]; negative: it is not. */
+    double rest_since = -1.;
+
     template <typename Archive>
     void
     serialize(Archive &archive, const unsigned int /*version*/)
@@ -109,6 +114,8 @@ namespace magmpm
       archive &deepest_penetration;
       archive &particles_inside;
       archive &particles_pushed_out;
+      archive &attraction;
+      archive &rest_since;
     }
   };
 } // namespace magmpm

@@ -14,6 +14,23 @@ namespace magmpm
                     const ParameterInput<dim> &input,
                     Parameters<dim> &parameters);
 
+  /** Reads the file of the magnetization curve, where the law needs one. */
+  template <int dim>
+  void
+  convert_magnetization_curve(const ParameterRegister &declarations,
+                              const ParameterInput<dim> &input,
+                              MagneticsParameters<dim> &magnetics);
+
+  template <int dim>
+  void
+  convert_attraction(const ParameterRegister &declarations,
+                     const ParameterInput<dim> &input,
+                     Parameters<dim> &parameters);
+
+  template <int dim>
+  void
+  check_rest(const ParameterRegister &declarations, const Parameters<dim> &parameters);
+
   /**
    * Checks that the shape in @p section is given, all of it and nothing else. The file of a mesh
    * becomes the path at which it is found.
