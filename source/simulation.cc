@@ -4,7 +4,6 @@
 
 #include <magmpm/artificial_attraction.h>
 #include <magmpm/base/version.h>
-#include <magmpm/boundary/momentum_update.h>
 #include <magmpm/fluid_density.h>
 #include <magmpm/io/number_text.h>
 #include <magmpm/io/parameter_changes.h>
@@ -65,7 +64,7 @@ namespace magmpm
                                                   dealii::TimerOutput::never,
                                                   dealii::TimerOutput::wall_times))
     , external_field(parameters.sources)
-    , boundary(parameters.lattice, parameters.walls, external_field)
+    , rigid_bodies(this->parameters, external_field, communicator)
     , open(open_faces(parameters.walls))
     , time_step_control(parameters.time_step, parameters.lattice.spacing)
     , rest(parameters.rest)
@@ -161,10 +160,9 @@ namespace magmpm
     return request != RunControl::Request::none || (is_at_end() && wanted.is_wanted());
   }
 
-  // One step, section 4.3 of Sun et al. 2021.
   template <int dim>
   void
-  Simulation<dim>::advance_one_step()
+  Simulation<dim>::choose_time_step()
   {
     const TimeStep step =
       time_step_control.next_step(step_conditions, state.time, time_of_next_frame());
@@ -175,17 +173,26 @@ namespace magmpm
         state.full_time_step = step.length;
         state.full_limit     = step.limit;
       }
+  }
+
+  // One step, section 4.3 of Sun et al. 2021.
+  template <int dim>
+  void
+  Simulation<dim>::advance_one_step()
+  {
+    choose_time_step();
     state.solved_this_step = false;
 
-    external_field.set_time(state.time);
+    rigid_bodies.set_time(state.time);
     update_magnetics(); // Eqs. (25)-(33)
     attract_bodies();
     relax_fluids();
-    transfer_to_lattice(step.length); // Eq. (28)
-    update_lattice();                 // Eqs. (33), (34)
-    transfer_to_particles();          // Eqs. (35)-(37)
+    transfer_to_lattice(); // Eq. (28)
+    update_lattice();      // Eqs. (33), (34)
+    rigid_bodies.advance(state);
+    transfer_to_particles(); // Eqs. (35)-(37)
 
-    state.time += step.length;
+    state.time += state.time_step;
     ++state.step;
     // Now, not before the next step: output also counts on particles being in their arenas.
     if (drift_since_sort > tolerated_drift * parameters.lattice.spacing)
@@ -235,7 +242,7 @@ namespace magmpm
   {
     seed_bodies();
     set_up_decomposition();
-    external_field.set_time(0.);
+    rigid_bodies.set_time(0.);
     step_conditions.acceleration = norm(parameters.gravity);
     update_magnetics();
     match_attraction();
@@ -351,6 +358,7 @@ namespace magmpm
       return;
     dealii::TimerOutput::Scope timed(*timer, "Solve potential");
     magnetics->solve(bodies, state); // Eqs. (25)-(33)
+    state.rigid_bodies_at_solve         = rigid_bodies.bodies().record();
     step_conditions.magnetic_wave_speed = 0.;
     step_conditions.acceleration        = norm(parameters.gravity);
     for (const ParticleSums<dim> &sums : sums_over_ranks(bodies, parameters, communicator))
@@ -364,11 +372,11 @@ namespace magmpm
 
   template <int dim>
   void
-  Simulation<dim>::transfer_to_lattice(const double time_step)
+  Simulation<dim>::transfer_to_lattice()
   {
     dealii::TimerOutput::Scope timed(*timer, "P2G");
     particles_to_lattice(
-      bodies, decomposition->blocks(), parameters.lattice, time_step, lattice_field);
+      bodies, decomposition->blocks(), parameters.lattice, state.time_step, lattice_field);
     decomposition->partition().add_ghosts_to_owners(lattice_field);
   }
 
@@ -377,13 +385,8 @@ namespace magmpm
   Simulation<dim>::update_lattice()
   {
     dealii::TimerOutput::Scope timed(*timer, "Update lattice");
-    update_lattice_momentum(decomposition->blocks(),
-                            boundary,
-                            parameters.gravity,
-                            state.time_step,
-                            parameters.rest.damping_rate,
-                            typical_particle_mass,
-                            lattice_field);
+    rigid_bodies.update_lattice(
+      decomposition->blocks(), typical_particle_mass, state, lattice_field);
     decomposition->partition().update_ghosts(lattice_field);
   }
 
@@ -394,10 +397,7 @@ namespace magmpm
     dealii::TimerOutput::Scope timed(*timer, "G2P");
     std::vector<ParticleExtremes> extremes = lattice_to_particles(
       lattice_field, decomposition->blocks(), parameters.lattice, state.time_step, bodies);
-    std::size_t n_held = 0;
-    for (Body<dim> &body : bodies)
-      n_held += hold_at_walls(decomposition->blocks(), parameters.lattice, open, body);
-    state.held_particles += dealii::Utilities::MPI::sum(n_held, communicator);
+    drift_since_sort += rigid_bodies.hold_particles(decomposition->blocks(), open, bodies, state);
 
     request = static_cast<RunControl::Request>(
       maximize_over_ranks(extremes, static_cast<double>(control.request()), communicator));
@@ -416,8 +416,8 @@ namespace magmpm
   void
   Simulation<dim>::update_step_conditions(const std::vector<ParticleExtremes> &extremes)
   {
-    StepConditions &conditions     = step_conditions;
-    conditions.collider_speed      = boundary.max_speed();
+    StepConditions &conditions = step_conditions;
+    rigid_bodies.update_step_conditions(state, conditions);
     conditions.signal_speed        = 0.;
     conditions.affine_velocity     = 0.;
     conditions.kinematic_viscosity = 0.;
@@ -440,6 +440,7 @@ namespace magmpm
     if (state.frame > 0)
       results.report_frame(state);
     results.write_particles(state, bodies);
+    results.write_surface(state, bodies);
     if (results.writes_fields())
       {
         // The mesh may have changed since the last solve: then the potential is found anew. The
@@ -448,6 +449,9 @@ namespace magmpm
         magnetics->solve_for_output(bodies, state);
         results.write_fields(state, magnetics->potential(), external_field);
       }
+    // Where the next step finds them.
+    rigid_bodies.set_time(state.time);
+    results.write_rigid_bodies(state, external_field, rigid_bodies.bodies());
     results.flush();
   }
 
@@ -459,10 +463,18 @@ namespace magmpm
     double n_particles = 0.;
     for (const Body<dim> &body : bodies)
       n_particles += static_cast<double>(body.particles.size());
+    if (magnetics != nullptr)
+      magnetics->update_reactions(state);
+    if (!rigid_bodies.bodies().all().empty())
+      state.deepest_penetration = dealii::Utilities::MPI::max(state.deepest_penetration,
+                                                              communicator);
     results.write_statistics(state,
                              sums_over_ranks(bodies, parameters, communicator),
                              dealii::Utilities::MPI::min(n_particles, communicator),
-                             timer->get_summary_data(dealii::TimerOutput::total_wall_time));
+                             timer->get_summary_data(dealii::TimerOutput::total_wall_time),
+                             rigid_bodies.bodies(),
+                             rigid_bodies.forces_on_magnets(state));
+    state.deepest_penetration = 0.;
   }
 
   template <int dim>
@@ -501,8 +513,10 @@ namespace magmpm
       attraction.acceleration = state.attraction;
     for (std::size_t b = 0; b < checkpoint.particles.size(); ++b)
       bodies[b].particles.append_from_records(checkpoint.particles[b]);
+    rigid_bodies.restore(state.rigid_bodies_at_solve);
     external_field.set_time(state.time_of_last_solve);
     external_field.remember();
+    rigid_bodies.restore(state.rigid_bodies);
     set_up_decomposition();
 
     results.write_header(state, bodies);

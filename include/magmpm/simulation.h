@@ -1,6 +1,5 @@
 #pragma once
 
-#include <magmpm/boundary/lattice_boundary.h>
 #include <magmpm/domain_decomposition.h>
 #include <magmpm/io/checkpoint.h>
 #include <magmpm/io/parameters.h>
@@ -12,6 +11,7 @@
 #include <magmpm/particles/particle_sort.h>
 #include <magmpm/particles/particle_sums.h>
 #include <magmpm/rest_check.h>
+#include <magmpm/rigid_body_coupling.h>
 #include <magmpm/run_control.h>
 #include <magmpm/run_record.h>
 #include <magmpm/runaway_check.h>
@@ -74,6 +74,10 @@ namespace magmpm
     void
     set_up_decomposition();
 
+    /** The length of this step, and what limits it. */
+    void
+    choose_time_step();
+
     void
     advance_one_step();
 
@@ -103,7 +107,7 @@ namespace magmpm
 
     /** P2G of momentum and mass, summed over the ranks. */
     void
-    transfer_to_lattice(const double time_step);
+    transfer_to_lattice();
 
     void
     update_lattice();
@@ -148,7 +152,7 @@ namespace magmpm
     std::unique_ptr<dealii::TimerOutput> timer;
 
     ExternalField<dim> external_field;
-    LatticeBoundary<dim> boundary;
+    RigidBodyCoupling<dim> rigid_bodies;
     const OpenFaces<dim> open;
     const TimeStepControl time_step_control;
     const RestCheck rest;

@@ -33,12 +33,12 @@ namespace magmpm
     std::string attraction_strength; ///< a number or match magnets
     std::string magnetization_curve; ///< a file
     std::string checkpoint_every = "10 min", end_wall_time = "never";
-    std::vector<std::string> body_names, material_names, magnet_names;
+    std::vector<std::string> body_names, material_names, magnet_names, rigid_body_names;
     std::vector<MaterialInput> materials; ///< in the order of material_names
   };
 
   /**
-   * Declares all parameters of a scene with the bodies, materials and magnets named in @p input, and
+   * Declares all parameters of a scene with the bodies, materials, magnets and rigid bodies named in @p input, and
    * binds them to @p input and @p parameters, whose lists get their length here.
    */
   template <int dim>

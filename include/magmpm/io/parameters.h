@@ -1,5 +1,6 @@
 #pragma once
 
+#include <magmpm/boundary/rigid_body_parameters.h>
 #include <magmpm/boundary/wall_parameters.h>
 #include <magmpm/io/parameter_file.h>
 #include <magmpm/io/run_parameters.h>
@@ -31,6 +32,7 @@ namespace magmpm
     std::vector<BodyParameters<dim>> bodies;
     std::vector<MaterialParameters> materials;
     std::vector<SourceParameters<dim>> sources;
+    std::vector<RigidBodyParameters<dim>> rigid_bodies;
 
     PointAttraction<dim> attraction;
     WallParameters<dim> walls;

@@ -59,9 +59,24 @@ namespace magmpm
                const ParameterInput<dim> &input,
                Parameters<dim> &parameters);
 
+  /** The files of meshes and key frames become the paths at which they are found. */
   template <int dim>
   void
   check_sources(const ParameterRegister &declarations,
-                const Parameters<dim> &parameters,
+                Parameters<dim> &parameters,
                 const std::vector<std::unique_ptr<Shape<dim>>> &body_shapes);
+
+  /** Also that a free magnet has mass, and a place to begin at; others must not have these. */
+  template <int dim>
+  void
+  check_free_magnet(const ParameterRegister &declarations,
+                    const std::string &section,
+                    const SourceParameters<dim> &source);
+
+  /** Adds to the warnings. */
+  template <int dim>
+  void
+  check_rigid_bodies(const ParameterRegister &declarations,
+                     const std::vector<std::unique_ptr<Shape<dim>>> &body_shapes,
+                     Parameters<dim> &parameters);
 } // namespace magmpm
