@@ -70,7 +70,7 @@ namespace magmpm::benchmarks
               return particles_to_lattice(bodies, blocks, lattice, time_step, field);
             case Phase::lattice:
               return update_lattice_momentum(
-                blocks, boundary, {{0., 0., gravity}}, time_step, particle_mass, field);
+                blocks, boundary, {{0., 0., gravity}}, time_step, 0., particle_mass, field);
             case Phase::g2p:
               lattice_to_particles(field, blocks, lattice, time_step, bodies);
           }
