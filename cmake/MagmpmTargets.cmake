@@ -110,9 +110,10 @@ target_link_libraries(magmpm_core ${core_scope} magmpm_options magmpm_kernels ma
                                                 ${MueLu_LIBRARIES} ${Belos_LIBRARIES}
                                                 MPI::MPI_CXX ${VTK_LIBRARIES})
 
-# These evaluate the laws of the medium in SIMD lanes, which sqrt leaves where it may set errno.
+# These evaluate the laws of the medium, or integrals round rings, in SIMD lanes, which sqrt leaves
+# where it may set errno.
 foreach(file magnetics/magnetic_force magnetics/material_points magnetics/potential_residual
-             particles/particle_sums)
+             magnets/ring_integrals particles/particle_sums)
   set_source_files_properties(${PROJECT_SOURCE_DIR}/source/${file}.cc PROPERTIES
                               COMPILE_OPTIONS -fno-math-errno)
 endforeach()

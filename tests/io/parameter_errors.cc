@@ -72,6 +72,14 @@ end
     return message.rfind(place, 0) == 0 ? message.substr(place.size()) : message;
   }
 
+  /** A message about a magnet, from where it names the parameter: without the file's or option's name. */
+  std::string
+  without_place(const std::string &message)
+  {
+    const auto place = message.find(": Magnets/");
+    return place == std::string::npos ? message : message.substr(place + 2);
+  }
+
   /** The valid text with a line replaced. */
   std::string
   with_line(const std::string &line, const std::string &replacement)
@@ -338,7 +346,8 @@ TEST_CASE("Messages on the kinds of magnets", "[io]")
                                               "Magnets/magnet/Position=0.5; 0.5; 0.1"};
   const auto message_of_kind = [&](const std::string &kind, std::vector<std::string> others) {
     others.insert(others.begin(), no_sphere.begin(), no_sphere.end());
-    return message_with("Magnets/magnet/Type=" + kind, others);
+    others.push_back("Magnets/magnet/Type=" + kind);
+    return without_place(message_on(valid_text, others));
   };
   const std::string magnet = "Magnets/magnet/", none = magnet + "Contact=none",
                     unmagnetized = magnet + "Magnetization=";
@@ -371,11 +380,11 @@ TEST_CASE("Messages on the kinds of magnets", "[io]")
     "m).");
   CHECK(message_of_kind("straight wire",
                         {unmagnetized, magnet + "Current=3", magnet + "Conductor radius=0.2"}) ==
-        "cube.prm, line 30: Magnets/magnet/Contact = separate: a straight wire has no surface; set "
+        "Magnets/magnet/Contact = separate: a straight wire has no surface; set "
         "it to none.");
   CHECK(
     message_of_kind("point dipole", {none, magnet + "Moment=0; 0; 1", magnet + "Radius=0.01"}) ==
-    "cube.prm, line 28: Magnets/magnet/Magnetization = 0; 0; 1e6: Type = point dipole does not "
+    "Magnets/magnet/Magnetization = 0; 0; 1e6: Type = point dipole does not "
     "use it; remove this line or change that.");
   CHECK(message_of_kind("magnetized mesh", {magnet + "File=nowhere.stl"})
           .find("Magnets/magnet/File = nowhere.stl: there is no such file") != std::string::npos);
@@ -389,8 +398,8 @@ TEST_CASE("Messages on the motion of magnets", "[io]")
                      {magnet + "Position="}) == "");
   CHECK(message_with(magnet + "Position=") ==
         "Magnets/magnet/Position is not given: Type = magnetized sphere needs it, or Key frames.");
-  CHECK(message_with(magnet + "Key frames=0, 0.5, 0.5, 0.25") ==
-        "cube.prm, line 27: Magnets/magnet/Position = 0.5; 0.5; 0.25: Key frames say this already. "
+  CHECK(without_place(message_with(magnet + "Key frames=0, 0.5, 0.5, 0.25")) ==
+        "Magnets/magnet/Position = 0.5; 0.5; 0.25: Key frames say this already. "
         "Give either of them.");
   CHECK(message_with(magnet + "Key frames=0, 0.5, 0.5", {magnet + "Position="})
           .find("Magnets/magnet/Key frames: the row '0, 0.5, 0.5' has 3 numbers.") !=
@@ -422,18 +431,18 @@ TEST_CASE("Messages on magnets inside of bodies", "[io]")
   std::vector<std::string> upright = bar;
   upright.push_back(magnet + "Rotation=0; pi/2; 0");
   CHECK(
-    message_with(magnet + "Type=cuboid", upright) ==
+    without_place(message_with(magnet + "Type=cuboid", upright)) ==
     "Magnets/magnet/Position = 0.5; 0.5; 0.3: this solid magnet (at 0.5, 0.5, 0.3 m) overlaps the "
     "body 'cube' at the start. Move one of them, or set Magnets/magnet/Contact = none.");
   upright.push_back(magnet + "Contact=none");
   CHECK(message_with(magnet + "Type=cuboid", upright) == "");
   CHECK(
-    message_with(magnet + "Type=point dipole",
-                 {magnet + "Contact=none",
-                  magnet + "Magnetization=",
-                  magnet + "Moment=0; 0; 1",
-                  magnet + "Position=0.5; 0.5; 0.49",
-                  magnet + "Radius=0.02"}) ==
+    without_place(message_with(magnet + "Type=point dipole",
+                               {magnet + "Contact=none",
+                                magnet + "Magnetization=",
+                                magnet + "Moment=0; 0; 1",
+                                magnet + "Position=0.5; 0.5; 0.49",
+                                magnet + "Radius=0.02"})) ==
     "Magnets/magnet/Position = 0.5; 0.5; 0.49: the core of this dipole (radius 0.02 m, at 0.5, "
     "0.5, 0.49 m) overlaps the body 'cube' by 0.01 m at the start. Move one of them, or make its "
     "Radius smaller.");
@@ -531,10 +540,12 @@ TEST_CASE("a rigid body that is not what it should be", "[io]")
 {
   // Each fault on its own; the scene itself is valid, free and scripted.
   CHECK(message_on(with_raft("set Density = 500\n")).empty());
-  CHECK(message_on(with_raft("set Motion = scripted\nset Position = 0.5; 0.5; 0.86 + 0.1*t\n")).empty());
+  CHECK(message_on(with_raft("set Motion = scripted\nset Position = 0.5; 0.5; 0.86 + 0.1*t\n"))
+          .empty());
   CHECK_THAT(message_on(with_raft("")),
-             Catch::Contains("with Motion = free exactly one of Density and Mass must be given, but "
-                             "none is."));
+             Catch::Contains(
+               "with Motion = free exactly one of Density and Mass must be given, but "
+               "none is."));
   CHECK_THAT(message_on(with_raft("set Density = 500\nset Mass = 1\n")),
              Catch::Contains("but both are."));
   CHECK_THAT(message_on(with_raft("set Motion = scripted\nset Density = 500\n")),
@@ -566,6 +577,11 @@ TEST_CASE("a free magnet that cannot be one", "[io]")
   CHECK_THAT(message_on(valid_text,
                         {"Magnets/magnet/Free=true",
                          "Magnets/magnet/Mass=1",
-                         "Magnets/magnet/Type=uniform field"}),
+                         "Magnets/magnet/Type=uniform field",
+                         "Magnets/magnet/Field=0; 0; 1",
+                         "Magnets/magnet/Position=",
+                         "Magnets/magnet/Magnetization=",
+                         "Magnets/magnet/Radius=",
+                         "Magnets/magnet/Contact=none"}),
              Catch::Contains("a uniform field is nowhere; set it to false."));
 }

@@ -67,13 +67,15 @@ TEST_CASE("B goes through the surface of a magnet", "[magnets]")
 {
   // mu_0 (H + M) along the normal has no jump: the magnetization is found where the field is that of the
   // inside, for every kind that has one.
-  SourceParameters<3> sphere = cuboid_parameters(), cylinder = sphere;
+  SourceParameters<3> cuboid = cuboid_parameters();
+  cuboid.position            = "0; 0; 0"; // so that points of the surface are exactly there
+  SourceParameters<3> sphere = cuboid, cylinder = cuboid;
   sphere.type     = SourceType::magnetized_sphere;
   sphere.radius   = 0.1;
   cylinder.type   = SourceType::cylinder;
   cylinder.radius = 0.1;
   cylinder.length = 0.3;
-  for (const SourceParameters<3> &parameters : {cuboid_parameters(), sphere, cylinder})
+  for (const SourceParameters<3> &parameters : {cuboid, sphere, cylinder})
     {
       const auto magnet = make_source(parameters);
       const Vector<3> x = magnet->pose().position + Vector<3>{{0.1, 0., 0.}};
