@@ -440,6 +440,7 @@ namespace magmpm
     if (state.frame > 0)
       results.report_frame(state);
     results.write_particles(state, bodies);
+    results.write_surface(state, bodies);
     if (results.writes_fields())
       {
         // The mesh may have changed since the last solve: then the potential is found anew. The
@@ -464,8 +465,9 @@ namespace magmpm
       n_particles += static_cast<double>(body.particles.size());
     if (magnetics != nullptr)
       magnetics->update_reactions(state);
-    state.deepest_penetration = dealii::Utilities::MPI::max(state.deepest_penetration,
-                                                            communicator);
+    if (!rigid_bodies.bodies().all().empty())
+      state.deepest_penetration = dealii::Utilities::MPI::max(state.deepest_penetration,
+                                                              communicator);
     results.write_statistics(state,
                              sums_over_ranks(bodies, parameters, communicator),
                              dealii::Utilities::MPI::min(n_particles, communicator),

@@ -9,9 +9,13 @@ from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
 from pictures.quantities import numbers_of, points_of, points_with
 from pictures.screen import fail
+from pictures.surface import with_normals
 
 BODY_COLOURS = ((0.10, 0.22, 0.36), (0.72, 0.30, 0.16), (0.16, 0.42, 0.30), (0.48, 0.22, 0.46),
                 (0.75, 0.58, 0.18), (0.30, 0.30, 0.32))
+
+MAGNET = (0.62, 0.62, 0.64)
+RIGID_BODY = (0.82, 0.56, 0.30)
 
 
 def colours_between(low, high, logarithmic=False):
@@ -109,7 +113,16 @@ def add_sphere(renderer, sphere):
     mapper = vtk.vtkPolyDataMapper()
     mapper.SetInputConnection(source.GetOutputPort())
     actor = add_mapped(renderer, mapper)
-    actor.GetProperty().SetColor(0.62, 0.62, 0.64)
+    actor.GetProperty().SetColor(*MAGNET)
+    return actor
+
+
+def add_solid(renderer, surface, colour):
+    """A magnet or rigid body by its surface."""
+    mapper = vtk.vtkPolyDataMapper()
+    mapper.SetInputData(with_normals(surface, edges=True))
+    actor = add_mapped(renderer, mapper)
+    actor.GetProperty().SetColor(*colour)
     return actor
 
 

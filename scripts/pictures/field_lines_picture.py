@@ -8,7 +8,7 @@ from pictures.quantities import array_of, points_of, spacing_of
 from pictures.run import Run
 from pictures.screen import fail
 from pictures.surface import cut_open
-from pictures.tiles import BAR_HEIGHT, surfaces
+from pictures.tiles import BAR_HEIGHT, add_magnets, surfaces
 
 BODY = (0.80, 0.76, 0.70)
 
@@ -36,8 +36,7 @@ def make(options, axis):
     add_bodies(renderer, run, frame, axis if not options.whole else None, low, high, direction)
     drawing.add_tubes(renderer, field_lines.as_polylines(lines), field_lines.arrows_of(lines),
                       distance / 16, colours)
-    for sphere in run.magnets(run.frames[frame][0]) + options.magnet:
-        drawing.add_sphere(renderer, sphere)
+    add_magnets(renderer, run, frame, options)
     drawing.add_text(renderer, "t = %.4g s" % run.frames[frame][0], 0.5, 0.02, 14, "centre")
     drawing.place_camera(renderer, low, high, direction, width / height)
     renderer.UseFXAAOn()

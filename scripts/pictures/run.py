@@ -65,6 +65,15 @@ class Run:
                 spheres.append([expression_at(text, time) for text in position] + [radius])
         return spheres
 
+    def solids(self, frame):
+        """Surfaces of magnets and rigid bodies by number: magnets first, in the order of their list."""
+        return [item for file in self.files_at("rigid_bodies.pvd", frame)
+                for item in parts_of(read(file))]
+
+    def n_magnets(self):
+        names = self.parameters.get("Magnets/List of magnets", "")
+        return len([name for name in names.split(",") if name.strip()])
+
     def box(self):
         """Lower and upper corner of the mechanical box [m]."""
         corners = [self.parameters.get("Box/%s corner" % which, "") for which in ("Lower", "Upper")]
@@ -108,6 +117,39 @@ def read(file):
     reader.SetFileName(file)
     reader.Update()
     return reader.GetOutput()
+
+
+def parts_of(grid):
+    """Numbers and surfaces (in 2D areas) of what the quantity 'body [-]' tells apart in a grid."""
+    surface, threshold = vtk.vtkGeometryFilter(), vtk.vtkThreshold()
+    name, at_points = "body [-]", grid.GetPointData().HasArray("body [-]")
+    values = (grid.GetPointData() if at_points else grid.GetCellData()).GetArray(name)
+    if not grid.GetNumberOfCells() or values is None:
+        return []
+    threshold.SetInputData(grid)
+    threshold.SetInputArrayToProcess(0, 0, 0, int(not at_points), name)
+    surface.SetInputConnection(threshold.GetOutputPort())
+    parts = []
+    for number in range(int(values.GetRange()[0]), int(values.GetRange()[1]) + 1):
+        threshold.SetLowerThreshold(number - 0.5)
+        threshold.SetUpperThreshold(number + 0.5)
+        surface.Update()
+        if surface.GetOutput().GetNumberOfCells():
+            part = vtk.vtkPolyData()
+            part.DeepCopy(surface.GetOutput())
+            parts.append((number, filled(part) if part.GetNumberOfLines() else part))
+    return parts
+
+
+def filled(lines):
+    """The area inside of closed lines."""
+    clean, strips, area = vtk.vtkCleanPolyData(), vtk.vtkStripper(), vtk.vtkContourTriangulator()
+    clean.SetInputData(lines)
+    strips.SetInputConnection(clean.GetOutputPort())
+    strips.JoinContiguousSegmentsOn()
+    area.SetInputConnection(strips.GetOutputPort())
+    area.Update()
+    return area.GetOutput()
 
 
 def expression_at(text, time):

@@ -101,11 +101,11 @@ def clipped(image):
     return clip.GetOutput()
 
 
-def with_normals(surface):
-    """The same surface with a normal at each point, for smooth shading."""
+def with_normals(surface, edges=False):
+    """The same surface with a normal at each point, for smooth shading, or for edges that stay."""
     normals = vtk.vtkPolyDataNormals()
     normals.SetInputData(surface)
-    normals.SplittingOff()
+    normals.SetSplitting(edges)
     normals.ConsistencyOff()
     normals.Update()
     return normals.GetOutput()

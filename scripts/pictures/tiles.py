@@ -7,7 +7,7 @@ import vtk
 
 from pictures import drawing
 from pictures.quantities import (array_of, numbers_of, points_of, range_over, spacing_of)
-from pictures.run import read
+from pictures.run import parts_of, read
 from pictures.surface import surface_of, with_normals, with_numbers
 
 BAR_HEIGHT = 70 # pixels
@@ -43,7 +43,11 @@ def bounds_to_show(runs, shown, options):
 
     for run, frames in zip(runs, shown):
         for frame in (frames[0], frames[-1]):
-            for *centre, radius in run.magnets(run.frames[frame][0]) + options.magnet:
+            solids = run.solids(frame)
+            for _, solid in solids:
+                include(solid.GetBounds())
+            spheres = [] if solids else run.magnets(run.frames[frame][0])
+            for *centre, radius in spheres + options.magnet:
                 thickness = 0 if len(centre) == 2 else radius
                 centre = (centre + [0.0])[:3]
                 sizes = (radius, radius, thickness)
@@ -84,6 +88,15 @@ def add_bodies(renderer, run, frame, look):
             for body, chosen in bodies_of(grid).items()]
 
 
+def add_magnets(renderer, run, frame, options):
+    """Magnets and rigid bodies as the run wrote them, or the spheres that its parameters tell of."""
+    solids = run.solids(frame)
+    actors = [drawing.add_solid(renderer, surface, drawing.MAGNET if number < run.n_magnets()
+                                else drawing.RIGID_BODY) for number, surface in solids]
+    spheres = options.magnet + ([] if solids else run.magnets(run.frames[frame][0]))
+    return actors + [drawing.add_sphere(renderer, sphere) for sphere in spheres]
+
+
 def body_colour(body):
     return drawing.BODY_COLOURS[body % len(drawing.BODY_COLOURS)]
 
@@ -104,7 +117,8 @@ def surfaces(run, frame, spacing):
     """Number of a body and its surface, for each body: as the run wrote it, or from particles."""
     files = run.files_at("surface.pvd", frame)
     if files:
-        return list(enumerate(with_normals(read(file)) for file in files))
+        return [(body, with_normals(surface))
+                for file in files for body, surface in parts_of(read(file))]
     grid = run.particles(frame)
     return [(body, surface_of(grid, chosen, spacing)) for body, chosen in bodies_of(grid).items()]
 
@@ -115,8 +129,7 @@ def tile(run, frame, look, title=None):
     renderer = vtk.vtkRenderer()
     renderer.SetBackground(1, 1, 1)
     actors = add_bodies(renderer, run, frame, look)
-    actors += [drawing.add_sphere(renderer, sphere)
-               for sphere in run.magnets(time) + look.options.magnet]
+    actors += add_magnets(renderer, run, frame, look.options)
     drawing.add_text(renderer, "t = %.4g s" % time, 0.5, 0.02, 14, "centre")
     if title:
         drawing.add_text(renderer, title, 0.03, 0.93, 15)

@@ -183,6 +183,9 @@ namespace magmpm
       declarations.add("Rigid bodies",
                        output.write_rigid_bodies,
                        "Whether the surfaces of magnets and rigid bodies are written.");
+      declarations.add("Surface",
+                       output.write_surface,
+                       "Whether a surface around the particles of each body is written.");
       declarations.add("Particle quantities",
                        output.particle_quantities,
                        std::vector<std::string>(output.particle_quantities),

@@ -130,11 +130,16 @@ namespace magmpm
     if (parameters.mesh.carries_potential && parameters.output.write_fields)
       field_output = std::make_unique<FieldOutput<dim>>(
         communicator, parameters.output.directory, parameters.output.field_quantities);
+    if (parameters.output.write_surface)
+      surface_output = std::make_unique<SurfaceOutput<dim>>(
+        communicator, parameters.output.directory, parameters.lattice);
     if (progress == nullptr)
       return;
     particle_output.frames().resume(progress->particle_frames);
     if (field_output != nullptr)
       field_output->frames().resume(progress->field_frames);
+    if (surface_output != nullptr)
+      surface_output->frames().resume(progress->surface_frames);
     earlier_rigid_body_frames = progress->rigid_body_frames;
     solves_before             = progress->n_solves;
   }
@@ -148,6 +153,8 @@ namespace magmpm
     progress.particle_frames = particle_output.frames().frames();
     if (field_output != nullptr)
       progress.field_frames = field_output->frames().frames();
+    if (surface_output != nullptr)
+      progress.surface_frames = surface_output->frames().frames();
     progress.rigid_body_frames = rigid_body_output != nullptr ? rigid_body_output->frames().frames()
                                                               : earlier_rigid_body_frames;
     progress.n_solves          = solves_before;
@@ -162,21 +169,26 @@ namespace magmpm
   Results<dim>::write_header(const RunState &state, const std::vector<Body<dim>> &bodies)
   {
     RunLog::Scene scene;
-    scene.dimension           = dim;
-    scene.lattice_spacing     = parameters.lattice.spacing;
-    scene.potential_unknowns  = state.last_solve.n_unknowns;
-    unsigned long n_particles = 0;
-    for (const Body<dim> &body : bodies)
-      n_particles += body.particles.size();
-    scene.n_particles = dealii::Utilities::MPI::sum(n_particles, communicator);
+    scene.dimension          = dim;
+    scene.lattice_spacing    = parameters.lattice.spacing;
+    scene.potential_unknowns = state.last_solve.n_unknowns;
     dealii::Utilities::System::MemoryStats memory; // in kilobytes
     dealii::Utilities::System::get_memory_stats(memory);
     scene.memory = 1024. *
                    dealii::Utilities::MPI::sum(static_cast<double>(memory.VmRSS), communicator);
     scene.imbalance = state.imbalance;
-    for (const BodyParameters<dim> &body : parameters.bodies)
-      scene.bodies.push_back(
-        {body.name, body.density, parameters.material_of(body), parameters.magnetics.law});
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+      {
+        const BodyParameters<dim> &body = parameters.bodies[b];
+        const unsigned long n_particles =
+          dealii::Utilities::MPI::sum<unsigned long>(bodies[b].particles.size(), communicator);
+        scene.n_particles += n_particles;
+        scene.bodies.push_back({body.name,
+                                n_particles,
+                                body.density,
+                                parameters.material_of(body),
+                                parameters.magnetics.law});
+      }
     run_log.header(scene);
     for (const std::string &warning : parameters.warnings)
       run_log.warning(warning);
@@ -196,6 +208,14 @@ namespace magmpm
     for (const std::string &name : parameters.output.particle_quantities)
       quantities.push_back(written_quantity(name, bodies, parameters.magnetics.model()));
     particle_output.write_frame(state.frame, state.time, positions, quantities);
+  }
+
+  template <int dim>
+  void
+  Results<dim>::write_surface(const RunState &state, const std::vector<Body<dim>> &bodies)
+  {
+    if (surface_output != nullptr)
+      surface_output->write_frame(state.frame, state.time, bodies);
   }
 
   template <int dim>

@@ -480,7 +480,8 @@ end
   CHECK(message_on(text) == "");
   CHECK(message_on(text, {"Bodies/disc/Shape=cylinder"}) ==
         "--set \"Bodies/disc/Shape=cylinder\": Bodies/disc/Shape = cylinder: must be one of: box, "
-        "sphere. (Its shape; a sphere is a disc in 2D, a cylinder and a mesh need Dimension = 3.)");
+        "sphere, points. (Its shape; a sphere is a disc in 2D, a cylinder and a mesh need "
+        "Dimension = 3.)");
   CHECK(
     message_on(text, {"Bodies/disc/Length=1"}) ==
     "--set \"Bodies/disc/Length=1\": there is no parameter 'Length' in subsection Bodies/disc: a "

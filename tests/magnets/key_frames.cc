@@ -59,6 +59,9 @@ TEST_CASE("slerp takes the shorter way about the axis of the relative rotation",
       CHECK(angle(motion.pose(t).rotation, end) == Approx((1. - t) * whole).epsilon(1e-9));
       CHECK(determinant(motion.pose(t).rotation) == Approx(1.));
     }
+  // Nearly half a turn against the axis.
+  const KeyFrames<3> against = frames<3>("0, 0, 0, 0, 0, 0, 0; 1, 0, 0, 0, -3, 0, 0");
+  CHECK(against.pose(0.5).rotation(2, 1) == Approx(-std::sin(1.5)));
   // By 350 degrees forward is by 10 backward; half a turn is found too.
   const KeyFrames<2> back =
     frames<2>("0, 0, 0, 0; 1, 0, 0, " + std::to_string(35. / 18. * constants::pi));

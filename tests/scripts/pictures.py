@@ -45,6 +45,38 @@ def part_unlike(image, colour):
     return (abs(image - colour).sum(axis=2) > 30).mean()
 
 
+def write_rigid_body(folder, source):
+    """A cube (or, without a source, a square of lines) of a tenth of the scene, as body 1."""
+    grid, points, numbers = vtk.vtkUnstructuredGrid(), vtk.vtkPoints(), vtk.vtkFloatArray()
+    numbers.SetName("body [-]")
+    if source is None:
+        cells, corners, kind = [(0, 1), (1, 2), (2, 3), (3, 0)], [(0, 0), (1, 0), (1, 1), (0, 1)], 3
+        corners = [(0.01 + 0.01 * x, 0.03 + 0.01 * y, 0.0) for x, y in corners]
+    else:
+        triangles = vtk.vtkTriangleFilter()
+        source.SetBounds(0.1, 0.3, 0.1, 0.3, 0.6, 0.8)
+        triangles.SetInputConnection(source.GetOutputPort())
+        triangles.Update()
+        mesh, kind = triangles.GetOutput(), 5
+        corners = [mesh.GetPoint(i) for i in range(mesh.GetNumberOfPoints())]
+        cells = [[mesh.GetCell(i).GetPointId(k) for k in range(3)]
+                 for i in range(mesh.GetNumberOfCells())]
+    for corner in corners:
+        points.InsertNextPoint(*corner)
+        numbers.InsertNextValue(1)
+    grid.SetPoints(points)
+    grid.GetPointData().AddArray(numbers)
+    for cell in cells:
+        grid.InsertNextCell(kind, len(cell), cell)
+    writer = vtk.vtkXMLUnstructuredGridWriter()
+    writer.SetFileName(os.path.join(folder, "rigid.vtu"))
+    writer.SetInputData(grid)
+    writer.Write()
+    with open(os.path.join(folder, "rigid_bodies.pvd"), "w", encoding="utf-8") as record:
+        record.write('<VTKFile type="Collection"><Collection>'
+                     '<DataSet timestep="0" file="rigid.vtu"/></Collection></VTKFile>')
+
+
 class Pictures(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -78,6 +110,17 @@ class Pictures(unittest.TestCase):
         flat = self.draw("render_particles", "drop_2d", "--frames", "0", "--surface",
                          "--tile", "200", "200")
         self.assertGreater((flat[:, :, 2] > 1.5 * flat[:, :, 0]).mean(), 0.1) # a disc
+
+    def test_rigid_bodies_are_drawn_as_the_run_wrote_them(self):
+        # A body, number 1 after the magnet 0, as RigidBodyOutput writes it: triangles, in 2D lines.
+        for run, cube in (("cube_nonlinear", vtk.vtkCubeSource()), ("drop_2d", None)):
+            write_rigid_body(run, cube)
+            image = self.draw("render_particles", run, "--frames", "0", "--tile", "200", "200",
+                              "--colour", "none")
+            os.remove(os.path.join(run, "rigid_bodies.pvd"))
+            red, green, blue = numpy.moveaxis(image, 2, 0)
+            with self.subTest(run=run):
+                self.assertGreater(((red > 1.3 * green) & (green > 1.3 * blue)).mean(), 0.01)
 
     def test_field_lines_are_drawn_around_and_inside_of_a_body(self):
         for run in ("cube_nonlinear", "drop_2d"):

@@ -86,7 +86,7 @@ namespace magmpm
     sphere,   ///< a disc in 2D
     cylinder, ///< 3D only
     mesh,     ///< the inside of a closed triangle mesh, 3D only
-    points    ///< no region but a list of particles: of bodies only, make_shape() knows none
+    points    ///< no region but a list of particles (PointCloudShape): of bodies only
   };
 
   /** A shape as a parameter file gives it. */
@@ -100,7 +100,8 @@ namespace magmpm
     Vector<dim> axis;                       ///< cylinder: direction of the axis, any length
     double length = 0.;                     ///< cylinder [m]
 
-    std::string file; ///< mesh: STL, OBJ or PLY; then scaled, rotated about its origin, translated
+    /** Mesh: STL, OBJ or PLY; points: CSV. Then scaled, rotated about its origin, translated. */
+    std::string file;
     double scale = 1.;
     Vector<n_axial_components<dim>> rotation; ///< axis times angle [rad]
     Vector<dim> translation;                  ///< [m]
@@ -109,7 +110,7 @@ namespace magmpm
   };
 
   /**
-   * @throw InputError  if a mesh cannot be read or is not closed; names the file, says what is
+   * @throw InputError  if a file cannot be read or a mesh is not closed; names the file, says what is
    *                    wrong and what to do.
    */
   template <int dim>

@@ -7,6 +7,7 @@
 #include <magmpm/io/run_log.h>
 #include <magmpm/io/run_state.h>
 #include <magmpm/io/statistics_file.h>
+#include <magmpm/io/surface_output.h>
 #include <magmpm/particles/body.h>
 #include <magmpm/particles/particle_sums.h>
 
@@ -41,8 +42,9 @@ namespace magmpm
   struct ResultsProgress
   {
     std::uintmax_t statistics_size = 0; ///< [bytes]
-    std::vector<std::pair<double, std::string>> particle_frames, field_frames,
-      rigid_body_frames;       ///< time [s], file
+    /** Time [s] and file of each. */
+    std::vector<std::pair<double, std::string>> particle_frames, field_frames, rigid_body_frames,
+      surface_frames;
     unsigned int n_solves = 0; ///< of the potential, until the last line of the log
 
     template <typename Archive>
@@ -53,13 +55,14 @@ namespace magmpm
       archive &particle_frames;
       archive &field_frames;
       archive &rigid_body_frames;
+      archive &surface_frames;
       archive &n_solves;
     }
   };
 
   /**
    * The output folder of a run: original.prm, parameters.prm, log.txt, statistics.csv, and the
-   * frames particles.pvd and fields.pvd. All functions are collective.
+   * frames particles.pvd, fields.pvd and surface.pvd. All functions are collective.
    */
   template <int dim>
   class Results
@@ -92,6 +95,10 @@ namespace magmpm
     /** particles.pvd, if the scene wants it. */
     void
     write_particles(const RunState &state, const std::vector<Body<dim>> &bodies);
+
+    /** surface.pvd, if the scene wants it. */
+    void
+    write_surface(const RunState &state, const std::vector<Body<dim>> &bodies);
 
     /** Whether the scene has a potential and wants its fields written. */
     bool
@@ -151,6 +158,7 @@ namespace magmpm
     std::unique_ptr<FieldOutput<dim>> field_output;          ///< null without magnetic material
     std::unique_ptr<RigidBodyOutput<dim>> rigid_body_output; ///< null before the first frame
     std::vector<std::pair<double, std::string>> earlier_rigid_body_frames; ///< of a resumed run
+    std::unique_ptr<SurfaceOutput<dim>> surface_output;                    ///< null if not wanted
 
     std::map<std::string, double> seconds_before; ///< the last row, by phase
     unsigned int solves_before = 0;               ///< the last line of the log

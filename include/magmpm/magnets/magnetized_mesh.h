@@ -79,9 +79,15 @@ namespace magmpm
     void
     make_sides();
 
+    /** Of all points of the mesh from @p point [m]. */
+    std::vector<double>
+    distances(const Vector<3> &point) const;
+
     /** Of a triangle, positive on its outer side. */
     double
-    solid_angle(const Triangle &triangle, const Vector<3> &point) const;
+    solid_angle(const Triangle &triangle,
+                const Vector<3> &point,
+                const std::vector<double> &distances) const;
 
     std::vector<VolumeElement<3>>
     make_elements() const;
