@@ -185,7 +185,7 @@ TEST_CASE("A magnet gathers fluid at its poles, an artificial force evenly", "[p
 {
   // Magnet and artificial force draw nearly all of the lump to the ball, which it does not reach
   // without either. The lump and the ball have x and y alike, so all that an artificial force does
-  // keeps sum x^2 = sum y^2; the magnet's poles are on the x axis, and it pulls the fluid out there.
+  // keeps sum x^2 = sum y^2; the magnet's poles are on the x axis, to which it pulls the fluid.
   const Point centre     = {0.49609375, 0.49609375, 0.275};
   const auto frames_with = [](const std::string &scene, const std::string &options = "") {
     return frames_of(scene, "0.03125", "0.05", options);
