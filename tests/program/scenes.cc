@@ -251,8 +251,8 @@ TEST_CASE("Ferrofluid has spikes in a vertical field only, in 3D", "[program]")
   const auto columns_with = [](const std::string &options) {
     return columns_of(frames_of("ferrofluid_3d",
                                 "0.0078125",
-                                "0.24",
-                                "--set 'Box/Upper corner=0.125, 0.125, 0.5' --set 'End time=0.24'"
+                                "0.36",
+                                "--set 'Box/Upper corner=0.125, 0.125, 0.5'"
                                 " --set 'Bodies/layer/Upper corner=0.125, 0.125, 0.0546875' " +
                                   options)
                         .back(),
