@@ -6,28 +6,6 @@ namespace magmpm
 {
   namespace
   {
-    /** What a contact leaves of the velocity relative to a surface with outward normal @p normal. */
-    template <int dim>
-    Vector<dim>
-    contact(const ContactCondition condition,
-            const Vector<dim> &normal,
-            const Vector<dim> &relative)
-    {
-      const double normal_velocity = dot(relative, normal);
-      switch (condition)
-        {
-          case ContactCondition::stick:
-            return {};
-          case ContactCondition::slip:
-            return relative - normal_velocity * normal;
-          case ContactCondition::separate:
-            return relative - std::min(normal_velocity, 0.) * normal;
-          case ContactCondition::none:
-          default:
-            return relative;
-        }
-    }
-
     ContactCondition
     as_contact(const WallCondition condition)
     {
@@ -49,10 +27,10 @@ namespace magmpm
   template <int dim>
   LatticeBoundary<dim>::LatticeBoundary(const Lattice<dim> &lattice,
                                         const WallParameters<dim> &walls,
-                                        const ExternalField<dim> &sources)
+                                        const std::vector<RigidBody<dim>> &bodies)
     : lattice(lattice)
     , walls(walls)
-    , sources(sources)
+    , bodies(bodies)
   {
   }
 
@@ -60,21 +38,19 @@ namespace magmpm
   Vector<dim>
   LatticeBoundary<dim>::constrained(const Index<dim> &node, Vector<dim> velocity) const
   {
-    if (!sources.solid_sources().empty())
+    if (!bodies.empty())
       {
         const Vector<dim> position = lattice.node_position(node);
-        for (const MagneticSource<dim> *source : sources.solid_sources())
+        for (const RigidBody<dim> &body : bodies)
           {
-            const Pose<dim> &pose = source->pose();
-            const SurfaceDistance<dim> surface =
-              source->shape()->surface_distance(pose.to_own(position));
-            if (surface.distance < 0.)
-              {
-                const Vector<dim> moved = source->motion().velocity_at(position - pose.position);
-                velocity                = moved + contact(source->contact(),
-                                           pose.rotation * surface.normal,
-                                           velocity - moved);
-              }
+            if (body.is_free() || !body.is_near(position, 0.))
+              continue;
+            const SurfaceDistance<dim> surface = body.surface_distance(position);
+            if (surface.distance >= 0.)
+              continue;
+            const Vector<dim> relative = velocity - body.velocity_at(position);
+            velocity -= taken_by(
+              contact_share(body.contact(), surface.normal, relative), surface.normal, relative);
           }
       }
     // Walls last: a node in a corner of a wall and a magnet must not leave the box.
@@ -84,7 +60,10 @@ namespace magmpm
           {
             Vector<dim> normal;
             normal[d] = (side == 0 ? 1. : -1.);
-            velocity  = contact(as_contact(walls.condition[2 * d + side]), normal, velocity);
+            velocity -= taken_by(
+              contact_share({as_contact(walls.condition[2 * d + side]), 0.}, normal, velocity),
+              normal,
+              velocity);
           }
     return velocity;
   }
@@ -94,16 +73,8 @@ namespace magmpm
   LatticeBoundary<dim>::max_speed() const
   {
     double speed = 0.;
-    for (const MagneticSource<dim> *source : sources.solid_sources())
-      {
-        const RigidMotion<dim> &motion = source->motion();
-        const BoundingBox<dim> box     = source->shape()->bounding_box();
-        Vector<dim> farthest;
-        for (int d = 0; d < dim; ++d)
-          farthest[d] = std::max(std::abs(box.lower[d]), std::abs(box.upper[d]));
-        speed = std::max(speed,
-                         norm(motion.velocity) + norm(motion.angular_velocity) * norm(farthest));
-      }
+    for (const RigidBody<dim> &body : bodies)
+      speed = std::max(speed, body.max_speed());
     return speed;
   }
 

@@ -8,27 +8,43 @@ namespace magmpm
   namespace
   {
     constexpr int margin = 3; // samples around the box
-  }
 
-  DistanceSamples::DistanceSamples(
-    const BoundingBox<3> &box,
-    const double spacing,
-    const std::function<SurfaceDistance<3>(const Vector<3> &)> &distance)
-    : h(spacing)
+    /** Signed, with the normal of the triangle itself where the point is on it. */
+    SurfaceDistance<3>
+    signed_distance(const TriangleMesh &mesh,
+                    const std::array<int, 3> &triangle,
+                    const Vector<3> &from_nearest,
+                    const bool is_inside)
+    {
+      const Vector<3> &a    = mesh.points[triangle[0]];
+      const Vector<3> ab    = mesh.points[triangle[1]] - a;
+      const Vector<3> ac    = mesh.points[triangle[2]] - a;
+      const Vector<3> area  = cross(ab, ac);
+      const double distance = norm(from_nearest);
+      if (distance < 1e-6 * std::sqrt(norm(area)))
+        return {0., (1. / norm(area)) * area};
+      const double sign = is_inside ? -1. : 1.;
+      return {sign * distance, (sign / distance) * from_nearest};
+    }
+  } // namespace
+
+  DistanceSamples::DistanceSamples(const TriangleMesh &mesh,
+                                   const MeshInterior &interior,
+                                   const double spacing)
+    : grid(bounding_box(mesh), spacing, margin)
   {
-    for (int d = 0; d < 3; ++d)
-      {
-        const double extent = box.upper[d] - box.lower[d];
-        n[d]                = static_cast<int>(std::ceil(extent / h)) + 1 + 2 * margin;
-        lower[d]            = box.lower[d] - 0.5 * ((n[d] - 1) * h - extent);
-      }
-    samples.reserve(static_cast<std::size_t>(n[0]) * n[1] * n[2]);
-    for (int k = 0; k < n[2]; ++k)
-      for (int j = 0; j < n[1]; ++j)
-        for (int i = 0; i < n[0]; ++i)
+    const NearestTriangles nearest(mesh, grid);
+    samples.reserve(grid.size());
+    for (int k = 0; k < grid.n[2]; ++k)
+      for (int j = 0; j < grid.n[1]; ++j)
+        for (int i = 0; i < grid.n[0]; ++i)
           {
-            const SurfaceDistance<3> here =
-              distance(lower + h * Vector<3>{{double(i), double(j), double(k)}});
+            const Vector<3> x             = grid.position(i, j, k);
+            const std::size_t index       = grid.index(i, j, k);
+            const SurfaceDistance<3> here = signed_distance(mesh,
+                                                            nearest.triangle(index),
+                                                            x - nearest.nearest_point(x, index),
+                                                            interior.contains(x));
             samples.push_back({{static_cast<float>(here.distance),
                                 static_cast<float>(here.normal[0]),
                                 static_cast<float>(here.normal[1]),
@@ -43,20 +59,18 @@ namespace magmpm
     float part[3];
     for (int d = 0; d < 3; ++d)
       {
-        const double place = (point[d] - lower[d]) / h;
-        cell[d]            = std::clamp(static_cast<int>(place), 0, n[d] - 2);
+        const double place = (point[d] - grid.lower[d]) / grid.spacing;
+        cell[d]            = std::clamp(static_cast<int>(place), 0, grid.n[d] - 2);
         part[d]            = static_cast<float>(place - cell[d]);
       }
-    const Sample *corner = samples.data() +
-                           (static_cast<std::size_t>(cell[2]) * n[1] + cell[1]) * n[0] + cell[0];
-    const auto along_x = [&](const Sample *at) { return at[0] + part[0] * (at[1] - at[0]); };
-    const auto along_y = [&](const Sample *at) {
+    const Sample *corner = samples.data() + grid.index(cell[0], cell[1], cell[2]);
+    const auto along_x   = [&](const Sample *at) { return at[0] + part[0] * (at[1] - at[0]); };
+    const auto along_y   = [&](const Sample *at) {
       const Sample low = along_x(at);
-      return low + part[1] * (along_x(at + n[0]) - low);
+      return low + part[1] * (along_x(at + grid.index(0, 1, 0)) - low);
     };
     const Sample low   = along_y(corner);
-    const Sample value = low +
-                         part[2] * (along_y(corner + static_cast<std::size_t>(n[0]) * n[1]) - low);
+    const Sample value = low + part[2] * (along_y(corner + grid.index(0, 0, 1)) - low);
 
     Vector<3> normal    = {{value[1], value[2], value[3]}};
     const double length = norm(normal);
@@ -72,7 +86,8 @@ namespace magmpm
   {
     Vector<3> nearest = point;
     for (int d = 0; d < 3; ++d)
-      nearest[d] = std::clamp(point[d], lower[d], lower[d] + (n[d] - 1) * h);
+      nearest[d] =
+        std::clamp(point[d], grid.lower[d], grid.lower[d] + (grid.n[d] - 1) * grid.spacing);
     const SurfaceDistance<3> there = inside(nearest);
     const Vector<3> beyond         = point - nearest;
     if (norm_square(beyond) == 0.)

@@ -1,5 +1,4 @@
 #include <magmpm/geometry/distance_samples.h>
-#include <magmpm/geometry/mesh_distance.h>
 #include <magmpm/geometry/mesh_shape.h>
 
 #include <algorithm>
@@ -40,12 +39,7 @@ namespace magmpm
   MeshShape::surface_distance(const Vector<3> &point) const
   {
     if (samples == nullptr)
-      {
-        const MeshDistance exact(triangles);
-        samples = std::make_unique<DistanceSamples>(box, sample_spacing, [&](const Vector<3> &x) {
-          return exact.at(x);
-        });
-      }
+      samples = std::make_unique<DistanceSamples>(triangles, interior, sample_spacing);
     return samples->at(point);
   }
 
@@ -65,5 +59,11 @@ namespace magmpm
   MeshShape::surface_points(const double spacing) const
   {
     return magmpm::surface_points(triangles, spacing);
+  }
+
+  SurfaceMesh<3>
+  MeshShape::surface_mesh(const double /*spacing*/) const
+  {
+    return {triangles.points, triangles.triangles};
   }
 } // namespace magmpm

@@ -3,6 +3,7 @@
 #include <magmpm/geometry/cylinder_shape.h>
 #include <magmpm/geometry/mesh_file.h>
 #include <magmpm/geometry/mesh_shape.h>
+#include <magmpm/geometry/point_cloud_shape.h>
 #include <magmpm/geometry/pose.h>
 #include <magmpm/geometry/sphere_shape.h>
 
@@ -31,8 +32,9 @@ namespace magmpm
             return std::make_unique<MeshShape>(mesh, parameters.sample_spacing);
           }
       }
-    throw InputError("There is no region of space to this kind of shape in " + std::to_string(dim) +
-                     "D: a cylinder and a mesh need 3D, points are particles alone.");
+    if (parameters.type == ShapeType::points)
+      return std::make_unique<PointCloudShape<dim>>(read_point_cloud(parameters));
+    throw InputError("A cylinder and a mesh need three dimensions.");
   }
 
   template std::unique_ptr<Shape<2>>

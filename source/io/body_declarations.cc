@@ -12,7 +12,7 @@ namespace magmpm
   declare_body(ParameterRegister &declarations, BodyParameters<dim> &body)
   {
     const auto section = declarations.enter(body.name);
-    declare_shape(declarations, body.shape);
+    declare_shape(declarations, body.shape, true);
     declarations.add(
       "Material", body.material, "-", "Name of one of the materials.", Presence::required);
     declarations.add("Density",

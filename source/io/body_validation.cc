@@ -1,5 +1,7 @@
+#include <magmpm/geometry/point_cloud_shape.h>
 #include <magmpm/geometry/shape_overlap.h>
 #include <magmpm/io/given_parameters.h>
+#include <magmpm/io/number_text.h>
 #include <magmpm/io/parameter_names.h>
 #include <magmpm/io/section_validation.h>
 
@@ -7,6 +9,33 @@
 
 namespace magmpm
 {
+  namespace
+  {
+    template <int dim>
+    void
+    check_points(const ParameterRegister &declarations,
+                 const std::string &section,
+                 const BodyParameters<dim> &body,
+                 const PointCloud<dim> &cloud,
+                 const Lattice<dim> &lattice)
+    {
+      if (body.jitter > 0.)
+        throw declarations.error(
+          section + "/Jitter",
+          "with Shape = points particles are where the file has them; set it "
+          "to 0.");
+      for (std::size_t i = 0; i < cloud.points.size(); ++i)
+        for (int d = 0; d < dim; ++d)
+          if (!(cloud.points[i][d] > lattice.lower_corner[d] &&
+                cloud.points[i][d] < lattice.upper_corner()[d]))
+            throw declarations.error(section + "/File",
+                                     "the point of line " + std::to_string(cloud.lines[i]) +
+                                       ", at " + components(cloud.points[i]) +
+                                       " m in the scene, is not inside the box. Move the points "
+                                       "with Scale, Rotation or Translation, or enlarge the box.");
+    }
+  } // namespace
+
   template <int dim>
   std::vector<std::unique_ptr<Shape<dim>>>
   check_bodies(const ParameterRegister &declarations,
@@ -29,6 +58,12 @@ namespace magmpm
                                      comma_separated(names) + "'" +
                                      did_you_mean(body.material, names));
         shapes.push_back(check_shape(declarations, section, body.shape));
+        if (body.shape.type == ShapeType::points)
+          check_points(declarations,
+                       section,
+                       body,
+                       static_cast<const PointCloudShape<dim> &>(*shapes.back()).cloud(),
+                       parameters.lattice);
         check_inside_box(declarations,
                          section,
                          body.shape.type,

@@ -3,6 +3,7 @@
 
 #include <magmpm/io/field_output.h>
 #include <magmpm/io/results.h>
+#include <magmpm/io/rigid_body_columns.h>
 #include <magmpm/io/statistics_columns.h>
 
 #include <cmath>
@@ -65,7 +66,7 @@ namespace magmpm
     ParticleQuantity
     written_quantity(const std::string &name,
                      const std::vector<Body<dim>> &bodies,
-                     const MagnetizationLaw law)
+                     const MagnetizationModel &law)
     {
       const auto fill = [&](const std::string &unit, const int n_components, const auto &value) {
         ParticleQuantity quantity;
@@ -120,19 +121,27 @@ namespace magmpm
               progress != nullptr)
     , statistics(communicator,
                  parameters.output.directory + "/statistics.csv",
-                 statistics_columns<dim>(names_of_bodies(parameters), phases),
+                 statistics_columns<dim>(names_of_bodies(parameters),
+                                         phases,
+                                         rigid_body_columns(parameters)),
                  progress != nullptr ? progress->statistics_size : 0)
     , particle_output(communicator, parameters.output.directory)
   {
     if (parameters.mesh.carries_potential && parameters.output.write_fields)
       field_output = std::make_unique<FieldOutput<dim>>(
         communicator, parameters.output.directory, parameters.output.field_quantities);
+    if (parameters.output.write_surface)
+      surface_output = std::make_unique<SurfaceOutput<dim>>(
+        communicator, parameters.output.directory, parameters.lattice);
     if (progress == nullptr)
       return;
     particle_output.frames().resume(progress->particle_frames);
     if (field_output != nullptr)
       field_output->frames().resume(progress->field_frames);
-    solves_before = progress->n_solves;
+    if (surface_output != nullptr)
+      surface_output->frames().resume(progress->surface_frames);
+    earlier_rigid_body_frames = progress->rigid_body_frames;
+    solves_before             = progress->n_solves;
   }
 
   template <int dim>
@@ -144,7 +153,11 @@ namespace magmpm
     progress.particle_frames = particle_output.frames().frames();
     if (field_output != nullptr)
       progress.field_frames = field_output->frames().frames();
-    progress.n_solves = solves_before;
+    if (surface_output != nullptr)
+      progress.surface_frames = surface_output->frames().frames();
+    progress.rigid_body_frames = rigid_body_output != nullptr ? rigid_body_output->frames().frames()
+                                                              : earlier_rigid_body_frames;
+    progress.n_solves          = solves_before;
     return progress;
   }
 
@@ -156,21 +169,26 @@ namespace magmpm
   Results<dim>::write_header(const RunState &state, const std::vector<Body<dim>> &bodies)
   {
     RunLog::Scene scene;
-    scene.dimension           = dim;
-    scene.lattice_spacing     = parameters.lattice.spacing;
-    scene.potential_unknowns  = state.last_solve.n_unknowns;
-    unsigned long n_particles = 0;
-    for (const Body<dim> &body : bodies)
-      n_particles += body.particles.size();
-    scene.n_particles = dealii::Utilities::MPI::sum(n_particles, communicator);
+    scene.dimension          = dim;
+    scene.lattice_spacing    = parameters.lattice.spacing;
+    scene.potential_unknowns = state.last_solve.n_unknowns;
     dealii::Utilities::System::MemoryStats memory; // in kilobytes
     dealii::Utilities::System::get_memory_stats(memory);
     scene.memory = 1024. *
                    dealii::Utilities::MPI::sum(static_cast<double>(memory.VmRSS), communicator);
     scene.imbalance = state.imbalance;
-    for (const BodyParameters<dim> &body : parameters.bodies)
-      scene.bodies.push_back(
-        {body.name, body.density, parameters.material_of(body), parameters.magnetics.law});
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+      {
+        const BodyParameters<dim> &body = parameters.bodies[b];
+        const unsigned long n_particles =
+          dealii::Utilities::MPI::sum<unsigned long>(bodies[b].particles.size(), communicator);
+        scene.n_particles += n_particles;
+        scene.bodies.push_back({body.name,
+                                n_particles,
+                                body.density,
+                                parameters.material_of(body),
+                                parameters.magnetics.law});
+      }
     run_log.header(scene);
     for (const std::string &warning : parameters.warnings)
       run_log.warning(warning);
@@ -188,8 +206,16 @@ namespace magmpm
       for (std::size_t p = 0; p < body.particles.size(); ++p)
         positions.push_back(body.particles.position(p));
     for (const std::string &name : parameters.output.particle_quantities)
-      quantities.push_back(written_quantity(name, bodies, parameters.magnetics.law));
+      quantities.push_back(written_quantity(name, bodies, parameters.magnetics.model()));
     particle_output.write_frame(state.frame, state.time, positions, quantities);
+  }
+
+  template <int dim>
+  void
+  Results<dim>::write_surface(const RunState &state, const std::vector<Body<dim>> &bodies)
+  {
+    if (surface_output != nullptr)
+      surface_output->write_frame(state.frame, state.time, bodies);
   }
 
   template <int dim>
@@ -199,6 +225,27 @@ namespace magmpm
                              const ExternalField<dim> &sources)
   {
     field_output->write_frame(state.frame, state.time, potential, sources);
+  }
+
+  template <int dim>
+  void
+  Results<dim>::write_rigid_bodies(const RunState &state,
+                                   const ExternalField<dim> &sources,
+                                   const RigidBodies<dim> &bodies)
+  {
+    if (!parameters.output.write_rigid_bodies)
+      return;
+    if (rigid_body_output == nullptr)
+      {
+        rigid_body_output =
+          std::make_unique<RigidBodyOutput<dim>>(communicator,
+                                                 parameters.output.directory,
+                                                 sources,
+                                                 bodies,
+                                                 0.5 * parameters.lattice.spacing);
+        rigid_body_output->frames().resume(earlier_rigid_body_frames);
+      }
+    rigid_body_output->write_frame(state.frame, state.time);
   }
 
   template <int dim>
@@ -223,7 +270,9 @@ namespace magmpm
   Results<dim>::write_statistics(const RunState &state,
                                  const std::vector<ParticleSums<dim>> &sums,
                                  const double fewest_particles,
-                                 const std::map<std::string, double> &seconds)
+                                 const std::map<std::string, double> &seconds,
+                                 const RigidBodies<dim> &rigid_bodies,
+                                 const std::vector<ForceAndTorque<dim>> &forces)
   {
     ParticleSums<dim> total;
     for (const ParticleSums<dim> &sum : sums)
@@ -261,6 +310,7 @@ namespace magmpm
         statistics.set(body_column(body, "magnetic force"), sums[b].magnetic_force);
         statistics.set(body_column(body, "magnetic moment"), sums[b].magnetic_moment);
       }
+    set_rigid_body_columns(parameters, rigid_bodies, forces, state, statistics);
     const bool solved = state.solved_this_step;
     statistics.set("magnetic solves", state.n_solves);
     statistics.set("Newton steps", solved ? solve.newton.steps : 0);

@@ -51,6 +51,9 @@ namespace magmpm
       const std::string susceptibility = three_digits(magnetic.initial_susceptibility);
       if (body.magnetization_law == MagnetizationLaw::linear)
         return "linear, chi = " + susceptibility;
+      if (body.magnetization_law == MagnetizationLaw::table)
+        return "from a curve, chi_0 = " + susceptibility + ", saturation " +
+               with_prefix(magnetic.saturation_magnetization, "A/m");
       return "Langevin, chi_0 = " + susceptibility + ", saturation " +
              with_prefix(magnetic.saturation_magnetization, "A/m");
     }
@@ -149,8 +152,8 @@ namespace magmpm
     *both << '\n';
 
     for (const Body &body : scene.bodies)
-      *both << "  " << body.name << ": " << mechanics_of(body) << "; " << magnetics_of(body)
-            << '\n';
+      *both << "  " << body.name << ": " << with_separators(body.n_particles) << " particles, "
+            << mechanics_of(body) << "; " << magnetics_of(body) << '\n';
 #ifdef DEBUG
     warning("this is a DEBUG build: it checks itself and is many times slower. For results, build "
             "a Release (cmake -DCMAKE_BUILD_TYPE=Release).");
@@ -230,6 +233,7 @@ namespace magmpm
     static constexpr const char *results[][2] = {
       {"particles.pvd", "particles, frame by frame (ParaView)"},
       {"fields.pvd", "magnetic fields on the mesh (ParaView)"},
+      {"surface.pvd", "surfaces of the bodies (ParaView)"},
       {"statistics.csv", "a row a step; doc/statistics.md says what the columns mean"},
       {"log.txt", "these lines"},
       {"checkpoint", "to go on from, with --resume"},

@@ -98,8 +98,15 @@ namespace magmpm
                      "Its shape; a sphere is a disc in 2D, a cylinder and a mesh need Dimension = "
                      "3.");
     declare_primitives(declarations, shape);
+    const std::string csv = std::string("lines of x, y") + (dim == 3 ? ", z" : "") +
+                            " and perhaps a volume, otherwise that of a regular particle, as CSV";
     if (dim == 3)
-      declare_file(declarations, shape, "Of a mesh: ", "closed triangles as STL, OBJ or PLY");
+      declare_file(declarations,
+                   shape,
+                   may_be_points ? "Of a mesh or points: " : "Of a mesh: ",
+                   "closed triangles as STL, OBJ or PLY" + (may_be_points ? ", " + csv : ""));
+    else if (may_be_points)
+      declare_file(declarations, shape, "Of points: ", csv);
     else
       for (const char *name : {"File", "Scale", "Rotation", "Translation"})
         declarations.refuse(name, "a mesh needs Dimension = 3.");

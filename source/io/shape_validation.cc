@@ -65,7 +65,7 @@ namespace magmpm
                                      to_text(parameters.lower_corner[d]) + " m).");
     if (parameters.type == ShapeType::cylinder && !(norm(parameters.axis) > 0.))
       throw declarations.error(section + "/Axis", "it must have a length greater than 0.");
-    if (parameters.type != ShapeType::mesh)
+    if (parameters.type != ShapeType::mesh && parameters.type != ShapeType::points)
       return make_shape(parameters);
 
     const std::string file = section + "/File";

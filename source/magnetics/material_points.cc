@@ -29,7 +29,7 @@ namespace magmpm
                                       const MagneticsParameters<dim> &parameters)
     : partition(partition)
     , lattice(mesh.lattice())
-    , law(parameters.law)
+    , law(parameters.model())
     , is_sharp(parameters.indicator == MaterialIndicator::sharp)
     , shielded(parameters.shielded)
     , the_stencil(mesh.parameters().cell_edge)

@@ -302,6 +302,16 @@ namespace magmpm
   }
 
   template <int dim>
+  bool
+  Cuboid<dim>::is_inside(const Vector<dim> &point) const
+  {
+    bool inside = true;
+    for (int d = 0; d < dim; ++d)
+      inside = inside && std::abs(point[d]) <= half_size[d] - surface_tolerance;
+    return inside;
+  }
+
+  template <int dim>
   Vector<dim>
   Cuboid<dim>::strength(const Vector<dim> &magnetization) const
   {

@@ -131,6 +131,12 @@ namespace magmpm
            z_round * (outer(z, round) + outer(round, z)) + e_z * (outer(e, z) + outer(z, e));
   }
 
+  bool
+  Cylinder::is_inside(const Vector<3> &point) const
+  {
+    return place(point).inside;
+  }
+
   Vector<3>
   Cylinder::strength(const Vector<3> &magnetization) const
   {

@@ -51,6 +51,16 @@ namespace magmpm
   }
 
   template <int dim>
+  Vector<dim>
+  ExternalField<dim>::magnetization(const Vector<dim> &point) const
+  {
+    Vector<dim> sum;
+    for (const auto &source : all_sources)
+      sum += source->magnetization(point);
+    return sum;
+  }
+
+  template <int dim>
   bool
   ExternalField<dim>::is_solid(const Vector<dim> &point) const
   {

@@ -2,27 +2,26 @@
 #include <magmpm/magnets/key_frames.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <fstream>
 #include <sstream>
 
 namespace magmpm
 {
+  bool
+  is_key_frame_table(const std::string &text)
+  {
+    std::istringstream stream(text);
+    double number;
+    return static_cast<bool>(stream >> number);
+  }
+
   namespace
   {
     [[noreturn]] void
     refuse(const std::string &subject, const std::string &complaint)
     {
       throw InputError(subject + ": " + complaint);
-    }
-
-    bool
-    begins_with_number(const std::string &text)
-    {
-      std::istringstream stream(text);
-      double number;
-      return static_cast<bool>(stream >> number);
     }
 
     /** Lines of the file, or what semicolons separate; without comments and what is empty. */
@@ -37,7 +36,7 @@ namespace magmpm
               first != std::string::npos && line[first] != '#')
             lines.push_back(line.substr(first, line.find_last_not_of(" \t\r") - first + 1));
       };
-      if (begins_with_number(table))
+      if (is_key_frame_table(table))
         {
           std::istringstream stream(table);
           keep_lines(stream, ';');
@@ -50,7 +49,7 @@ namespace magmpm
                  "' that can be read. Give the name of a CSV file, or the rows themselves, "
                  "separated by semicolons.");
       keep_lines(stream, '\n');
-      if (!lines.empty() && !begins_with_number(lines.front()))
+      if (!lines.empty() && !is_key_frame_table(lines.front()))
         lines.erase(lines.begin());
       return lines;
     }
@@ -87,40 +86,6 @@ namespace magmpm
                "the row '" + line + "' has " + std::to_string(numbers.size()) + " number" +
                  (numbers.size() == 1 ? ". " : "s. ") + advice<dim>());
       return numbers;
-    }
-
-    /** Of a rotation, the real part first; its length is not 1. */
-    std::array<double, 4>
-    quaternion_of(const Matrix<3> &r)
-    {
-      // Each row is a multiple of the quaternion; the one of the largest diagonal loses no digits.
-      const double x = r(2, 1) - r(1, 2), y = r(0, 2) - r(2, 0), z = r(1, 0) - r(0, 1);
-      const double xy = r(0, 1) + r(1, 0), xz = r(0, 2) + r(2, 0), yz = r(1, 2) + r(2, 1);
-      const std::array<double, 4> rows[] = {{1. + r(0, 0) + r(1, 1) + r(2, 2), x, y, z},
-                                            {x, 1. + r(0, 0) - r(1, 1) - r(2, 2), xy, xz},
-                                            {y, xy, 1. - r(0, 0) + r(1, 1) - r(2, 2), yz},
-                                            {z, xz, yz, 1. - r(0, 0) - r(1, 1) + r(2, 2)}};
-      int largest                        = 0;
-      for (int i = 1; i < 4; ++i)
-        if (rows[i][i] > rows[largest][largest])
-          largest = i;
-      return rows[largest];
-    }
-
-    /** The rotation vector of a rotation by at most half a turn. */
-    template <int dim>
-    Vector<n_axial_components<dim>>
-    rotation_vector(const Matrix<dim> &rotation)
-    {
-      if constexpr (dim == 2)
-        return {{std::atan2(rotation(1, 0), rotation(0, 0))}};
-      else
-        {
-          const auto q         = quaternion_of(rotation);
-          const Vector<3> axis = (q[0] < 0. ? -1. : 1.) * Vector<3>{{q[1], q[2], q[3]}};
-          const double sine    = norm(axis);
-          return (sine > 0. ? 2. * std::atan2(sine, std::abs(q[0])) / sine : 0.) * axis;
-        }
     }
   } // namespace
 

@@ -61,13 +61,23 @@ namespace magmpm
       }
   }
 
-  double
-  MagnetizedMesh::solid_angle(const Triangle &triangle, const Vector<3> &point) const
+  std::vector<double>
+  MagnetizedMesh::distances(const Vector<3> &point) const
   {
-    const Vector<3> a = points[triangle.corners[0]] - point,
-                    b = points[triangle.corners[1]] - point,
-                    c = points[triangle.corners[2]] - point;
-    const double A = norm(a), B = norm(b), C = norm(c);
+    std::vector<double> result(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+      result[i] = norm(points[i] - point);
+    return result;
+  }
+
+  double
+  MagnetizedMesh::solid_angle(const Triangle &triangle,
+                              const Vector<3> &point,
+                              const std::vector<double> &distances) const
+  {
+    const auto &[i, j, k] = triangle.corners;
+    const Vector<3> a = points[i] - point, b = points[j] - point, c = points[k] - point;
+    const double A = distances[i], B = distances[j], C = distances[k];
     double height = -dot(triangle.normal, a);
     if (std::abs(height) < surface_tolerance * size)
       height = surface_tolerance * size;
@@ -78,17 +88,18 @@ namespace magmpm
   Vector<3>
   MagnetizedMesh::field(const Vector<3> &magnetization, const Vector<3> &point) const
   {
+    const std::vector<double> distances = this->distances(point);
     Vector<3> sum;
     for (const Triangle &triangle : triangles)
       {
         const double charge = dot(triangle.normal, magnetization);
         if (charge != 0.)
-          sum += (charge * solid_angle(triangle, point)) * triangle.normal;
+          sum += (charge * solid_angle(triangle, point, distances)) * triangle.normal;
       }
     for (const Side &side : sides)
       {
         const double l    = side.length;
-        const double path = norm(point - points[side.from]) + norm(point - points[side.to]);
+        const double path = distances[side.from] + distances[side.to];
         // On the side itself the path is no longer than l; at the distance d in its middle 2 d^2/l more.
         const double excess =
           std::max(path - l, 2. * least_edge_distance * least_edge_distance * size * size / l);
@@ -119,6 +130,19 @@ namespace magmpm
         sum += outer(turned, (2. * path / (A * B * squares)) * cross(b, a));
       }
     return (1. / (4. * pi)) * sum;
+  }
+
+  bool
+  MagnetizedMesh::is_inside(const Vector<3> &point) const
+  {
+    for (int d = 0; d < 3; ++d)
+      if (point[d] <= box.lower[d] || point[d] >= box.upper[d])
+        return false;
+    const std::vector<double> distances = this->distances(point);
+    double angle                        = 0.; // -4 pi inside, 0 outside
+    for (const Triangle &triangle : triangles)
+      angle += solid_angle(triangle, point, distances);
+    return angle < -2. * pi;
   }
 
   Vector<3>
@@ -160,10 +184,7 @@ namespace magmpm
             const Vector<3> middle = {{box.lower[0] + (i + 0.5) * edges[0] / n[0],
                                        box.lower[1] + (j + 0.5) * edges[1] / n[1],
                                        box.lower[2] + (k + 0.5) * edges[2] / n[2]}};
-            double angle           = 0.; // -4 pi inside, 0 outside
-            for (const Triangle &triangle : triangles)
-              angle += solid_angle(triangle, middle);
-            if (angle > -2. * pi)
+            if (!is_inside(middle))
               continue;
             middles.push_back(middle);
             mean += middle;

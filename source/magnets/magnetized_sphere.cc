@@ -53,6 +53,13 @@ namespace magmpm
   }
 
   template <int dim>
+  bool
+  MagnetizedSphere<dim>::is_inside(const Vector<dim> &point) const
+  {
+    return norm(point) < radius;
+  }
+
+  template <int dim>
   Vector<dim>
   MagnetizedSphere<dim>::strength(const Vector<dim> &magnetization) const
   {

@@ -134,6 +134,15 @@ namespace magmpm
   }
 
   template <int dim>
+  Vector<dim>
+  PlacedSource<dim>::magnetization(const Vector<dim> &point) const
+  {
+    if (own_field->is_inside(transpose(field_rotation) * (point - current_pose.position)))
+      return current_pose.rotation * current_amplitude;
+    return {};
+  }
+
+  template <int dim>
   bool
   PlacedSource<dim>::is_constant() const
   {

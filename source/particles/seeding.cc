@@ -1,3 +1,4 @@
+#include <magmpm/geometry/point_cloud_shape.h>
 #include <magmpm/particles/seeding.h>
 
 #include <algorithm>
@@ -62,6 +63,53 @@ namespace magmpm
             particles.component(ParticleProperty::affine_velocity, dim * c + d)[p] = derivative[c];
         }
     }
+
+    /** One more particle, undeformed, in the motion of its body about @p centre. */
+    template <int dim>
+    void
+    add_particle(const BodyParameters<dim> &parameters,
+                 const Vector<dim> &centre,
+                 const std::uint64_t id,
+                 const Vector<dim> &position,
+                 const double volume,
+                 ParticleSet<dim> &particles)
+    {
+      const std::size_t p = particles.size();
+      particles.resize(p + 1);
+      particles.ids()[p] = id;
+      for (int d = 0; d < dim; ++d)
+        particles.component(ParticleProperty::position, d)[p] = position[d];
+      set_motion(parameters, centre, p, particles);
+      particles.component(ParticleProperty::volume, 0)[p] = volume;
+      particles.component(ParticleProperty::mass, 0)[p]   = parameters.density * volume;
+      // The undeformed state: the identity, or J = 1.
+      const int n_deformation = particles.n_components(ParticleProperty::deformation);
+      for (int c = 0; c < n_deformation; c += dim + 1)
+        particles.component(ParticleProperty::deformation, c)[p] = 1.;
+    }
+
+    /** A particle at each point of the file that is this rank's. */
+    template <int dim>
+    void
+    seed_points(const BodyParameters<dim> &parameters,
+                const double volume_without,
+                const std::uint64_t first_id,
+                const unsigned int rank,
+                const unsigned int n_ranks,
+                ParticleSet<dim> &particles)
+    {
+      const PointCloudShape<dim> shape(read_point_cloud(parameters.shape));
+      const PointCloud<dim> &cloud = shape.cloud();
+      const Vector<dim> centre     = shape.volume_moments().centroid;
+      const std::uint64_t n        = cloud.points.size();
+      for (std::uint64_t i = n * rank / n_ranks; i < n * (rank + 1) / n_ranks; ++i)
+        add_particle(parameters,
+                     centre,
+                     first_id + i,
+                     cloud.points[i],
+                     cloud.volumes.empty() ? volume_without : cloud.volumes[i],
+                     particles);
+    }
   } // namespace
 
   template <int dim>
@@ -73,10 +121,14 @@ namespace magmpm
                  const unsigned int n_ranks,
                  Body<dim> &body)
   {
+    const std::uint64_t first_id = static_cast<std::uint64_t>(body_number) << 40;
+    const double volume          = parameters.particle_volume(lattice);
+    if (parameters.shape.type == ShapeType::points)
+      return seed_points(parameters, volume, first_id, rank, n_ranks, body.particles);
+
     const std::unique_ptr<Shape<dim>> shape = make_shape(parameters.shape);
     const Places<dim> places(shape->bounding_box(), parameters.particles_per_edge, lattice);
-    const Vector<dim> centre    = shape->volume_moments().centroid;
-    ParticleSet<dim> &particles = body.particles;
+    const Vector<dim> centre = shape->volume_moments().centroid;
 
     const std::uint64_t row_length = static_cast<std::uint64_t>(places.count[0]);
     std::uint64_t n_rows           = 1;
@@ -85,8 +137,7 @@ namespace magmpm
     for (std::uint64_t row = n_rows * rank / n_ranks; row < n_rows * (rank + 1) / n_ranks; ++row)
       for (std::uint64_t i = 0; i < row_length; ++i)
         {
-          const std::uint64_t id = (static_cast<std::uint64_t>(body_number) << 40) +
-                                   row * row_length + i;
+          const std::uint64_t id = first_id + row * row_length + i;
           Vector<dim> position;
           std::uint64_t rest = row;
           int sum_of_places  = 0;
@@ -104,20 +155,9 @@ namespace magmpm
           // Inside or not is asked of the regular place, so that jitter does not change how many.
           if (!shape->contains(position))
             continue;
-          const std::size_t p = particles.size();
-          particles.resize(p + 1);
-          particles.ids()[p] = id;
           for (int d = 0; d < dim; ++d)
-            particles.component(ParticleProperty::position, d)[p] =
-              position[d] + parameters.jitter * places.spacing * random_offset(dim * id + d);
-          set_motion(parameters, centre, p, particles);
-          const double volume                                 = parameters.particle_volume(lattice);
-          particles.component(ParticleProperty::volume, 0)[p] = volume;
-          particles.component(ParticleProperty::mass, 0)[p]   = parameters.density * volume;
-          // The undeformed state: the identity, or J = 1.
-          const int n_deformation = particles.n_components(ParticleProperty::deformation);
-          for (int c = 0; c < n_deformation; c += dim + 1)
-            particles.component(ParticleProperty::deformation, c)[p] = 1.;
+            position[d] += parameters.jitter * places.spacing * random_offset(dim * id + d);
+          add_particle(parameters, centre, id, position, volume, body.particles);
         }
   }
 

@@ -166,6 +166,50 @@ TEST_CASE("the written field is continuous", "[io]")
   CHECK(worst < 1e-6 * outer_field);
 }
 
+// B - mu_0 H is mu_0 M, of the material as of the magnets: here of a rectangle beside a disc, inside of
+// which that is known at every node, and of nothing where neither is. Its faces belong to the outside.
+TEST_CASE("the written B counts the magnetization of magnets", "[io]")
+{
+  const std::string folder = testing::fresh_folder("field_output-magnets");
+  MagneticsParameters<2> parameters;
+  test::Scene<2> scene(24, spacing, 2., parameters);
+  scene.set_bodies({test::sphere<2>({{0.12, 0.12}}, 0.05, {1e5, chi})});
+  SourceParameters<2> rectangle;
+  rectangle.type          = SourceType::cuboid;
+  rectangle.size          = {{0.06, 0.04}};
+  rectangle.position      = "0.12; 0.21";
+  rectangle.magnetization = "1e5; 2e5";
+  const ExternalField<2> sources({rectangle});
+  scene.problem.solve(scene.content, sources);
+  FieldOutput<2> output(MPI_COMM_WORLD, folder, {"H", "B"});
+  output.write_frame(0, 0., scene.problem, sources);
+
+  vtkNew<vtkXMLPUnstructuredGridReader> reader;
+  reader->SetFileName((folder + "/fields/fields_0000.pvtu").c_str());
+  reader->Update();
+  vtkUnstructuredGrid *grid = reader->GetOutput();
+  vtkDataArray *H           = grid->GetPointData()->GetArray("H [A/m]"),
+               *B           = grid->GetPointData()->GetArray("B [T]");
+  REQUIRE(H != nullptr);
+  REQUIRE(B != nullptr);
+  int n_inside = 0;
+  for (vtkIdType p = 0; p < grid->GetNumberOfPoints(); ++p)
+    {
+      double x[3], h[3], b[3];
+      grid->GetPoint(p, x);
+      H->GetTuple(p, h);
+      B->GetTuple(p, b);
+      if (std::hypot(x[0] - 0.12, x[1] - 0.12) < 0.08)
+        continue;
+      const bool inside = std::abs(x[0] - 0.12) < 0.0299 && std::abs(x[1] - 0.21) < 0.0199;
+      n_inside += inside;
+      for (int d = 0; d < 2; ++d)
+        CHECK(b[d] / constants::vacuum_permeability - h[d] ==
+              Approx(inside ? 1e5 * (d + 1) : 0.).margin(1.));
+    }
+  CHECK(n_inside > 4);
+}
+
 TEST_CASE("an unknown field quantity is an input error", "[io]")
 {
   CHECK_THROWS_WITH(FieldOutput<2>(MPI_COMM_WORLD, ".", {"H", "flux"}),

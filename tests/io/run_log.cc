@@ -24,6 +24,7 @@ namespace
   {
     RunLog::Body cube;
     cube.name                                       = "cube";
+    cube.n_particles                                = 110000;
     cube.density                                    = 2500.;
     cube.material.shear_modulus                     = 4e5;
     cube.material.lame_lambda                       = 5e5;
@@ -32,6 +33,7 @@ namespace
 
     RunLog::Body drop;
     drop.name                  = "drop";
+    drop.n_particles           = 592;
     drop.density               = 1000.;
     drop.material.law          = MechanicalLaw::viscoelastic_fluid;
     drop.material.bulk_modulus = 1e6;
@@ -82,8 +84,8 @@ TEST_CASE("numbers are written as people read them", "[io]")
 
 TEST_CASE("terminal and log.txt hold the same header, from rank 0 alone", "[io][mpi]")
 {
-  // The header names version, instruction set, lattice, particles, unknowns and each body with what it
-  // is made of. Wave speeds: sqrt((5e5 + 8e5)/2500) = 22.8 m/s and sqrt(1e6/1000) = 31.6 m/s. Where there
+  // The header names version, instruction set, lattice, particles, unknowns and each body with its
+  // particles and what it is made of. Wave speeds: sqrt((5e5 + 8e5)/2500) = 22.8 m/s and sqrt(1e6/1000) = 31.6 m/s. Where there
   // are several ranks it tells how they share the load, and a line follows when they share it anew.
   const std::string folder = testing::fresh_folder("run_log-header");
   std::ostringstream terminal;
@@ -100,8 +102,9 @@ TEST_CASE("terminal and log.txt hold the same header, from rank 0 alone", "[io][
       const std::string expected =
         "  3D, lattice dx = 7.81 mm, 110,592 particles, 44,909 potential unknowns, 412 MB" +
         std::string(n_ranks > 1 ? ", load imbalance 1.13\n" : "\n") +
-        "  cube: elastic, wave speed 22.8 m/s; Langevin, chi_0 = 0.912, saturation 82.3 kA/m\n"
-        "  drop: fluid, sound speed 31.6 m/s, viscosity 10 mPa s; not magnetic\n"
+        "  cube: 110,000 particles, elastic, wave speed 22.8 m/s; Langevin, chi_0 = 0.912, "
+        "saturation 82.3 kA/m\n"
+        "  drop: 592 particles, fluid, sound speed 31.6 m/s, viscosity 10 mPa s; not magnetic\n"
         "  load imbalance 1.5 on " +
         std::to_string(n_ranks) + " ranks: cells and particles dealt out anew, now 1.04\n";
       CHECK(terminal.str().find(version_string() + ", " + simd_instruction_set + ", ") == 0);

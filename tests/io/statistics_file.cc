@@ -1,6 +1,7 @@
 // The statistics file: a table by name, exact to the last bit, that refuses to be filled wrongly.
 
 #include <magmpm/base/exceptions.h>
+#include <magmpm/io/rigid_body_columns.h>
 #include <magmpm/io/statistics_columns.h>
 #include <magmpm/io/statistics_file.h>
 
@@ -146,7 +147,14 @@ TEST_CASE("doc/statistics.md explains every column", "[io]")
   std::string manual(std::istreambuf_iterator<char>(file), {});
   manual.erase(std::remove(manual.begin(), manual.end(), '\\'), manual.end());
 
-  for (std::string name : names_of(statistics_columns<3>({"BODY"}, {"PHASE"})))
+  Parameters<3> parameters;
+  parameters.sources.resize(1);
+  parameters.sources[0].name = "MAGNET";
+  parameters.sources[0].type = SourceType::magnetized_sphere;
+  parameters.rigid_bodies.resize(1);
+  parameters.rigid_bodies[0].name = "RIGID";
+  for (std::string name :
+       names_of(statistics_columns<3>({"BODY"}, {"PHASE"}, rigid_body_columns(parameters))))
     {
       const bool is_component = name.size() > 2 && name[name.size() - 2] == ' ' &&
                                 std::string("xyz").find(name.back()) != std::string::npos;

@@ -74,6 +74,7 @@ subsection Magnetics
 end
 subsection Output
   set Frame interval = 0.01
+  set Surface        = true
 end
 )");
   }
@@ -105,7 +106,7 @@ end
   {
     INFO(folder);
     check_equal_runs(Statistics(straight), Statistics(folder), tolerance, ignores);
-    for (const std::string record : {"/particles.pvd", "/fields.pvd"})
+    for (const std::string record : {"/particles.pvd", "/fields.pvd", "/surface.pvd"})
       CHECK(n_frames(folder + record) == n_frames(straight + record));
   }
 
@@ -133,6 +134,7 @@ TEST_CASE("A resumed run is the straight run", "[program]")
   const std::string scene = disc_and_drop("resume");
   require_success(run_magmpm(scene + in_folder("straight")));
   CHECK(n_frames("straight/particles.pvd") == 9);
+  CHECK(n_frames("straight/surface.pvd") == 9);
 
   const auto run_in_parts = [&](const std::string &folder, const std::vector<int> &ranks) {
     const std::vector<std::string> ends = {"0.02", "0.06", "0.08"};

@@ -2,6 +2,7 @@
 
 #include <magmpm/base/tensor.h>
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -30,6 +31,14 @@ namespace magmpm
     double volume; ///< [m^3], in 2D [m^2]
     Vector<dim> centroid;
     Matrix<dim> second; ///< integral of r r^T about the centroid [m^5], in 2D [m^4]
+  };
+
+  /** A surface for pictures: points and triangles (in 2D lines) between them, turned outward. */
+  template <int dim>
+  struct SurfaceMesh
+  {
+    std::vector<Vector<dim>> points; ///< [m]
+    std::vector<std::array<int, dim>> facets;
   };
 
   /**
@@ -62,6 +71,13 @@ namespace magmpm
      */
     virtual std::vector<Vector<dim>>
     surface_points(const double spacing) const = 0;
+
+    /** The surface; what is round has edges of about @p spacing [m]. Empty if there is none to show. */
+    virtual SurfaceMesh<dim>
+    surface_mesh(const double /*spacing*/) const
+    {
+      return {};
+    }
   };
 
   enum class ShapeType
@@ -70,7 +86,7 @@ namespace magmpm
     sphere,   ///< a disc in 2D
     cylinder, ///< 3D only
     mesh,     ///< the inside of a closed triangle mesh, 3D only
-    points    ///< no region but a list of particles: of bodies only, make_shape() knows none
+    points    ///< no region but a list of particles (PointCloudShape): of bodies only
   };
 
   /** A shape as a parameter file gives it. */
@@ -84,7 +100,8 @@ namespace magmpm
     Vector<dim> axis;                       ///< cylinder: direction of the axis, any length
     double length = 0.;                     ///< cylinder [m]
 
-    std::string file; ///< mesh: STL, OBJ or PLY; then scaled, rotated about its origin, translated
+    /** Mesh: STL, OBJ or PLY; points: CSV. Then scaled, rotated about its origin, translated. */
+    std::string file;
     double scale = 1.;
     Vector<n_axial_components<dim>> rotation; ///< axis times angle [rad]
     Vector<dim> translation;                  ///< [m]
@@ -93,7 +110,7 @@ namespace magmpm
   };
 
   /**
-   * @throw InputError  if a mesh cannot be read or is not closed; names the file, says what is
+   * @throw InputError  if a file cannot be read or a mesh is not closed; names the file, says what is
    *                    wrong and what to do.
    */
   template <int dim>

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <magmpm/boundary/rigid_bodies.h>
 #include <magmpm/io/parameters.h>
 #include <magmpm/io/particle_output.h>
+#include <magmpm/io/rigid_body_output.h>
 #include <magmpm/io/run_log.h>
 #include <magmpm/io/run_state.h>
 #include <magmpm/io/statistics_file.h>
+#include <magmpm/io/surface_output.h>
 #include <magmpm/particles/body.h>
 #include <magmpm/particles/particle_sums.h>
 
@@ -38,8 +41,10 @@ namespace magmpm
   /** How far the files of a run got, for a checkpoint. */
   struct ResultsProgress
   {
-    std::uintmax_t statistics_size = 0;                                        ///< [bytes]
-    std::vector<std::pair<double, std::string>> particle_frames, field_frames; ///< time [s], file
+    std::uintmax_t statistics_size = 0; ///< [bytes]
+    /** Time [s] and file of each. */
+    std::vector<std::pair<double, std::string>> particle_frames, field_frames, rigid_body_frames,
+      surface_frames;
     unsigned int n_solves = 0; ///< of the potential, until the last line of the log
 
     template <typename Archive>
@@ -49,13 +54,15 @@ namespace magmpm
       archive &statistics_size;
       archive &particle_frames;
       archive &field_frames;
+      archive &rigid_body_frames;
+      archive &surface_frames;
       archive &n_solves;
     }
   };
 
   /**
    * The output folder of a run: original.prm, parameters.prm, log.txt, statistics.csv, and the
-   * frames particles.pvd and fields.pvd. All functions are collective.
+   * frames particles.pvd, fields.pvd and surface.pvd. All functions are collective.
    */
   template <int dim>
   class Results
@@ -89,6 +96,10 @@ namespace magmpm
     void
     write_particles(const RunState &state, const std::vector<Body<dim>> &bodies);
 
+    /** surface.pvd, if the scene wants it. */
+    void
+    write_surface(const RunState &state, const std::vector<Body<dim>> &bodies);
+
     /** Whether the scene has a potential and wants its fields written. */
     bool
     writes_fields() const
@@ -102,6 +113,12 @@ namespace magmpm
                  const PotentialProblem<dim> &potential,
                  const ExternalField<dim> &sources);
 
+    /** rigid_bodies.pvd, where magnets and rigid bodies are now. */
+    void
+    write_rigid_bodies(const RunState &state,
+                       const ExternalField<dim> &sources,
+                       const RigidBodies<dim> &bodies);
+
     /** The line of a frame on the terminal. */
     void
     report_frame(const RunState &state);
@@ -112,12 +129,15 @@ namespace magmpm
      * @param sums                    of each body, over all ranks.
      * @param fewest_particles        held by a rank.
      * @param seconds                 of each phase so far, on this rank.
+     * @param forces                  on each source.
      */
     void
     write_statistics(const RunState &state,
                      const std::vector<ParticleSums<dim>> &sums,
                      const double fewest_particles,
-                     const std::map<std::string, double> &seconds);
+                     const std::map<std::string, double> &seconds,
+                     const RigidBodies<dim> &rigid_bodies,
+                     const std::vector<ForceAndTorque<dim>> &forces);
 
     /** How far the files got; what counts is that of rank 0. */
     ResultsProgress
@@ -135,7 +155,10 @@ namespace magmpm
     RunLog run_log;
     StatisticsFile statistics;
     ParticleOutput<dim> particle_output;
-    std::unique_ptr<FieldOutput<dim>> field_output; ///< null without magnetic material
+    std::unique_ptr<FieldOutput<dim>> field_output;          ///< null without magnetic material
+    std::unique_ptr<RigidBodyOutput<dim>> rigid_body_output; ///< null before the first frame
+    std::vector<std::pair<double, std::string>> earlier_rigid_body_frames; ///< of a resumed run
+    std::unique_ptr<SurfaceOutput<dim>> surface_output;                    ///< null if not wanted
 
     std::map<std::string, double> seconds_before; ///< the last row, by phase
     unsigned int solves_before = 0;               ///< the last line of the log

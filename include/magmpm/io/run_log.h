@@ -26,7 +26,8 @@ namespace magmpm
     struct Body
     {
       std::string name;
-      double density = 0.; ///< undeformed [kg/m^3]
+      unsigned long n_particles = 0;  ///< of all ranks
+      double density            = 0.; ///< undeformed [kg/m^3]
       MaterialParameters material;
       MagnetizationLaw magnetization_law = MagnetizationLaw::langevin; ///< of the scene
     };

@@ -31,6 +31,9 @@ namespace magmpm
     Matrix<dim>
     field_gradient(const Vector<dim> &magnetization, const Vector<dim> &point) const override;
 
+    bool
+    is_inside(const Vector<dim> &point) const override;
+
     /** M, which the field comes near to at a face [A/m]. */
     Vector<dim>
     strength(const Vector<dim> &magnetization) const override;

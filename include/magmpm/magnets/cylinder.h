@@ -31,6 +31,9 @@ namespace magmpm
     Matrix<3>
     field_gradient(const Vector<3> &magnetization, const Vector<3> &point) const override;
 
+    bool
+    is_inside(const Vector<3> &point) const override;
+
     /** M, which the field comes near to at the surface [A/m]. */
     Vector<3>
     strength(const Vector<3> &magnetization) const override;

@@ -31,6 +31,10 @@ namespace magmpm
     Matrix<dim>
     field_gradient(const Vector<dim> &point) const;
 
+    /** The magnetization of the magnets [A/m] at @p point [m]. */
+    Vector<dim>
+    magnetization(const Vector<dim> &point) const;
+
     /** Whether a solid source is at @p point [m]: no material can be there. */
     bool
     is_solid(const Vector<dim> &point) const;

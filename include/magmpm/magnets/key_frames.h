@@ -8,6 +8,10 @@
 
 namespace magmpm
 {
+  /** Whether @p text is the rows themselves, and not the name of a file: whether it begins with a number. */
+  bool
+  is_key_frame_table(const std::string &text);
+
   /**
    * Poses and strengths at given times, and those between: position and strength on a straight line,
    * the rotation about one axis by the shorter way (slerp). The way is covered at a constant velocity

@@ -42,6 +42,13 @@ namespace magmpm
     virtual Matrix<dim>
     field_gradient(const Vector<dim> &point) const = 0;
 
+    /** The magnetization M [A/m] at @p point [m]: with H, B = mu_0 (H + M). */
+    virtual Vector<dim>
+    magnetization(const Vector<dim> & /*point*/) const
+    {
+      return {};
+    }
+
     /** Whether the field never changes in time. */
     virtual bool
     is_constant() const = 0;
@@ -65,6 +72,13 @@ namespace magmpm
     reach() const
     {
       return 0.;
+    }
+
+    /** Whether it is somewhere; otherwise nothing acts on it. */
+    virtual bool
+    has_place() const
+    {
+      return true;
     }
 
     /** Where the source is; at rest in the origin if it has no place. */

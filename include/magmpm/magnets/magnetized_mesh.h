@@ -34,6 +34,9 @@ namespace magmpm
     Matrix<3>
     field_gradient(const Vector<3> &magnetization, const Vector<3> &point) const override;
 
+    bool
+    is_inside(const Vector<3> &point) const override;
+
     /** M, which the field comes near to at the surface [A/m]. */
     Vector<3>
     strength(const Vector<3> &magnetization) const override;
@@ -76,9 +79,15 @@ namespace magmpm
     void
     make_sides();
 
+    /** Of all points of the mesh from @p point [m]. */
+    std::vector<double>
+    distances(const Vector<3> &point) const;
+
     /** Of a triangle, positive on its outer side. */
     double
-    solid_angle(const Triangle &triangle, const Vector<3> &point) const;
+    solid_angle(const Triangle &triangle,
+                const Vector<3> &point,
+                const std::vector<double> &distances) const;
 
     std::vector<VolumeElement<3>>
     make_elements() const;

@@ -26,6 +26,9 @@ namespace magmpm
     Matrix<dim>
     field_gradient(const Vector<dim> &magnetization, const Vector<dim> &point) const override;
 
+    bool
+    is_inside(const Vector<dim> &point) const override;
+
     /** (dim-1)/dim M, the field at a pole [A/m]. */
     Vector<dim>
     strength(const Vector<dim> &magnetization) const override;

@@ -32,6 +32,9 @@ namespace magmpm
     Matrix<dim>
     field_gradient(const Vector<dim> &point) const override;
 
+    Vector<dim>
+    magnetization(const Vector<dim> &point) const override;
+
     bool
     is_constant() const override;
 

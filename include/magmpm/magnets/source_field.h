@@ -59,6 +59,13 @@ namespace magmpm
     virtual Matrix<dim>
     field_gradient(const Vector<dim> &amplitude, const Vector<dim> &point) const = 0;
 
+    /** Whether the magnetized volume is at @p point [m]; its surface belongs to the outside. */
+    virtual bool
+    is_inside(const Vector<dim> & /*point*/) const
+    {
+      return false;
+    }
+
     /** A vector that tells the size of the field nearby [A/m], proportional to the amplitude. */
     virtual Vector<dim>
     strength(const Vector<dim> &amplitude) const = 0;

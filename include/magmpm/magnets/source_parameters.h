@@ -69,6 +69,12 @@ namespace magmpm
     double scale = 1.;            ///< of the lengths in the file
 
     ContactCondition contact = ContactCondition::none;
-    double friction          = 0.; ///< Coulomb's coefficient, with contact separate
+    double friction          = 0.; ///< Coulomb's coefficient, with contact slip or separate
+
+    bool is_free = false; ///< whether forces move it: from where and how it is turned at time zero
+    double density = 0.;  ///< of a free one [kg/m^3]; 0: its mass is given
+    double mass    = 0.;  ///< of a free one [kg], in 2D [kg/m]
+    Vector<dim> velocity; ///< of a free one at the start [m/s]
+    Vector<n_axial_components<dim>> angular_velocity; ///< of a free one at the start [rad/s]
   };
 } // namespace magmpm

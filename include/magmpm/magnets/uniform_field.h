@@ -29,6 +29,12 @@ namespace magmpm
     Vector<dim>
     strength() const override;
 
+    bool
+    has_place() const override
+    {
+      return false;
+    }
+
     /** The origin: a uniform field has no place. */
     const Pose<dim> &
     pose() const override;

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <magmpm/io/pvd_record.h>
+#include <magmpm/lattice/lattice.h>
+#include <magmpm/particles/body.h>
+
+#include <mpi.h>
+
+#include <string>
+#include <vector>
+
+namespace magmpm
+{
+  /**
+   * Writes a surface around the particles of each body for ParaView: `surface/surface_<frame>.vtp` of
+   * all bodies together, told apart by the cell quantity "body [-]", and `surface.pvd`, which lists
+   * the frames so far.
+   *
+   * The surface is where half of the lattice is full of the body (volume_fraction()): triangles, in 2D
+   * lines. VTK finds it and smooths it by a windowed sinc filter (Taubin 1996), which keeps volumes.
+   * It is closed. What is thinner than about a cell, and single particles, have none. One rank does it,
+   * after all have added up the fractions, so the surface has no seams.
+   */
+  template <int dim>
+  class SurfaceOutput
+  {
+  public:
+    /**
+     * Makes the folder `surface` in @p directory, which must exist. Collective.
+     *
+     * @throw RunError if the folder cannot be made.
+     */
+    SurfaceOutput(const MPI_Comm communicator,
+                  const std::string &directory,
+                  const Lattice<dim> &lattice);
+
+    /**
+     * Writes one frame; ranks and bodies may be without particles. Collective.
+     *
+     * @param time        [s].
+     * @throw RunError if the file cannot be written.
+     */
+    void
+    write_frame(const unsigned int frame, const double time, const std::vector<Body<dim>> &bodies);
+
+    /** The frames written so far, surface.pvd. */
+    PvdRecord &
+    frames()
+    {
+      return record;
+    }
+
+  private:
+    const MPI_Comm communicator;
+    const std::string directory;
+    const Lattice<dim> lattice;
+    PvdRecord record;
+  };
+} // namespace magmpm

@@ -1,0 +1,180 @@
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/utilities.h>
+
+#include <magmpm/base/exceptions.h>
+#include <magmpm/io/surface_output.h>
+#include <magmpm/io/volume_fraction.h>
+
+#include <vtkAppendPolyData.h>
+#include <vtkCellData.h>
+#include <vtkCleanPolyData.h>
+#include <vtkContourFilter.h>
+#include <vtkDoubleArray.h>
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkStripper.h>
+#include <vtkWindowedSincPolyDataFilter.h>
+#include <vtkXMLPolyDataWriter.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace magmpm
+{
+  namespace
+  {
+    const std::string subfolder = "surface";
+
+    /** Where the fraction is a half; triangles or lines. */
+    template <int dim>
+    vtkSmartPointer<vtkPolyData>
+    contour(const VolumeFraction<dim> &fraction, const Lattice<dim> &lattice)
+    {
+      int count[3]         = {1, 1, 1};
+      double corner[3]     = {0., 0., 0.};
+      const Vector<dim> at = lattice.node_position(fraction.first);
+      for (int d = 0; d < dim; ++d)
+        {
+          count[d]  = fraction.count[d];
+          corner[d] = at[d];
+        }
+      vtkNew<vtkImageData> image;
+      image->SetDimensions(count);
+      image->SetOrigin(corner);
+      image->SetSpacing(lattice.spacing, lattice.spacing, lattice.spacing);
+      vtkNew<vtkDoubleArray> values;
+      values->SetNumberOfValues(fraction.values.size());
+      std::copy(fraction.values.begin(), fraction.values.end(), values->GetPointer(0));
+      image->GetPointData()->SetScalars(values);
+
+      vtkNew<vtkContourFilter> contour;
+      contour->SetInputData(image);
+      contour->SetValue(0, 0.5);
+      contour->ComputeScalarsOff();
+      contour->ComputeNormalsOff();
+      vtkNew<vtkCleanPolyData> clean; // triangles of a contour through a node have no area
+      clean->SetInputConnection(contour->GetOutputPort());
+      clean->SetTolerance(0.);
+      clean->ConvertPolysToLinesOff();
+      clean->Update();
+      return clean->GetOutput();
+    }
+
+    /** Without the steps that the lattice leaves. */
+    template <int dim>
+    vtkSmartPointer<vtkPolyData>
+    smoothed(vtkPolyData *surface)
+    {
+      vtkNew<vtkStripper> lines; // a line is smoothed between its ends, so segments are joined
+      lines->SetInputData(surface);
+      lines->JoinContiguousSegmentsOn();
+      vtkNew<vtkWindowedSincPolyDataFilter> smooth;
+      if (dim == 2)
+        smooth->SetInputConnection(lines->GetOutputPort());
+      else
+        smooth->SetInputData(surface);
+      smooth->SetNumberOfIterations(20);
+      smooth->SetPassBand(0.1);
+      smooth->NormalizeCoordinatesOn();
+      smooth->Update();
+      return smooth->GetOutput();
+    }
+
+    /** The surface of a body, with its number on all cells. */
+    template <int dim>
+    vtkSmartPointer<vtkPolyData>
+    surface_of(const VolumeFraction<dim> &fraction,
+               const Lattice<dim> &lattice,
+               const std::size_t body)
+    {
+      vtkSmartPointer<vtkPolyData> surface = contour(fraction, lattice);
+      if (surface->GetNumberOfCells() > 0)
+        surface = smoothed<dim>(surface);
+      vtkNew<vtkFloatArray> number;
+      number->SetName("body [-]");
+      number->SetNumberOfValues(surface->GetNumberOfCells());
+      number->Fill(static_cast<double>(body));
+      surface->GetPointData()->Initialize();
+      surface->GetCellData()->Initialize();
+      surface->GetCellData()->AddArray(number);
+      return surface;
+    }
+
+    bool
+    write(vtkPolyData *surface, const std::string &path)
+    {
+      vtkNew<vtkXMLPolyDataWriter> writer;
+      writer->SetFileName(path.c_str());
+      writer->SetInputData(surface);
+      writer->SetDataModeToAppended();
+      writer->EncodeAppendedDataOff();
+      return writer->Write() == 1;
+    }
+  } // namespace
+
+  template <int dim>
+  SurfaceOutput<dim>::SurfaceOutput(const MPI_Comm communicator,
+                                    const std::string &directory,
+                                    const Lattice<dim> &lattice)
+    : communicator(communicator)
+    , directory(directory)
+    , lattice(lattice)
+    , record(directory + "/" + subfolder + ".pvd")
+  {
+    const std::filesystem::path folder = std::filesystem::path(directory) / subfolder;
+    int is_made                        = 1;
+    if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+      {
+        std::error_code error;
+        std::filesystem::create_directories(folder, error);
+        is_made = !error;
+      }
+    if (dealii::Utilities::MPI::min(is_made, communicator) == 0)
+      throw RunError("The folder '" + folder.string() +
+                     "' for the surface cannot be made. Are you allowed to write there?");
+  }
+
+  template <int dim>
+  void
+  SurfaceOutput<dim>::write_frame(const unsigned int frame,
+                                  const double time,
+                                  const std::vector<Body<dim>> &bodies)
+  {
+    const bool is_first = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
+    vtkNew<vtkAppendPolyData> all;
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+      {
+        const VolumeFraction<dim> fraction = volume_fraction(bodies[b], lattice, communicator);
+        if (is_first && fraction.count[0] > 0)
+          all->AddInputData(surface_of(fraction, lattice, b));
+      }
+
+    const std::string file = subfolder + "/" + subfolder + "_" +
+                             dealii::Utilities::int_to_string(frame, 4) + ".vtp";
+    int is_written = 1;
+    if (is_first)
+      {
+        vtkSmartPointer<vtkPolyData> surface = vtkSmartPointer<vtkPolyData>::New();
+        surface->SetPoints(vtkNew<vtkPoints>()); // none, but readers want to see them
+        if (all->GetNumberOfInputConnections(0) > 0)
+          {
+            all->Update();
+            surface = all->GetOutput();
+          }
+        is_written = write(surface, directory + "/" + file);
+      }
+    if (dealii::Utilities::MPI::min(is_written, communicator) == 0)
+      throw RunError("The surface '" + directory + "/" + file +
+                     "' cannot be written. Is the disk full, or the output directory gone?");
+    if (is_first)
+      record.add(time, file);
+  }
+
+  template class SurfaceOutput<2>;
+  template class SurfaceOutput<3>;
+} // namespace magmpm
