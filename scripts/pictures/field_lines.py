@@ -59,8 +59,8 @@ def halves_joined(traced, quantity):
 def evenly_spaced(lines, low, high, distance):
     """
     Of each line the part around its seed that stays a distance away from all parts kept before,
-    long lines first; short parts are left out. What is taken is marked on a grid of a quarter of the
-    distance.
+    long lines first; short parts are left out. What is taken is marked on a grid of a quarter
+    of the distance.
     """
     step = 0.25 * distance
     counts = numpy.ceil((numpy.array(high) - low) / step).astype(int) + 1
@@ -95,7 +95,7 @@ def length_within(points, low, high):
 
 
 def seeds_in_plane(low, high, axis, distance):
-    """Points in the plane through the middle of a box, across an axis, in an order without pattern."""
+    """Points in the middle plane of a box, across an axis, in an order without pattern."""
     sides = [numpy.arange(a + 0.5 * distance, b, distance) for a, b in zip(low, high)]
     if axis is not None:
         sides[axis] = numpy.array([0.5 * (low[axis] + high[axis])])
@@ -122,7 +122,7 @@ def as_polylines(lines):
 
 
 def arrows_of(lines):
-    """VTK's points in the middle of each line with the unit vector of the field and its magnitude."""
+    """Points in the middle of lines with the unit vector of the field and its magnitude."""
     middles = [len(points) // 2 for points, _ in lines]
     positions = numpy.array([points[i] for (points, _), i in zip(lines, middles)])
     field = numpy.array([values[i] for (_, values), i in zip(lines, middles)])

@@ -1,4 +1,4 @@
-// What scenes of Sun et al. 2021 show, as numbers: the files of parameter_files/ on coarser lattices.
+// What scenes of Sun et al. 2021 show, as numbers: files of parameter_files/ on coarser lattices.
 
 #include "catch.h"
 #include "program/particle_frames.h"
@@ -50,7 +50,7 @@ namespace
 TEST_CASE("Cubes in a uniform field attract along it and repel across it", "[program]")
 {
   // Fig. 11. Two magnetized cubes are like dipoles, which attract where they lie behind one another
-  // along their moments, and repel with half of that force side by side. Without a field nothing moves.
+  // along their moments, and repel with half that force side by side. Without a field nothing moves.
   const auto change_in = [](const std::string &name, const std::string &field) {
     const Outcome run = run_scene("induced_attraction.prm",
                                   "attraction-" + name,
@@ -79,8 +79,8 @@ TEST_CASE("Cubes in a uniform field attract along it and repel across it", "[pro
 
 TEST_CASE("Two dragons are drawn to the magnet between them", "[program]")
 {
-  // Fig. 5. A magnetizable body goes to where the field is stronger, whichever way the field points:
-  // both come nearer to the magnet and so to one another, equally by the symmetry of the scene. Without
+  // Fig. 5. A magnetizable body goes to where the field is stronger, whichever way that points:
+  // both come nearer to the magnet and so to one another, equally by symmetry. Without
   // magnetization nothing moves.
   const auto changes_with = [](const std::string &name, const std::string &magnetization) {
     const Outcome run = run_scene("two_dragons.prm",
@@ -113,7 +113,7 @@ TEST_CASE("Two dragons are drawn to the magnet between them", "[program]")
 
 TEST_CASE("At a strong magnet the linear law crushes a cube and Langevin's does not", "[program]")
 {
-  // Fig. 7. The linear law has M grow with the field without end, Langevin's saturates: M is at most
+  // Fig. 7. By the linear law M grows with the field without end, Langevin's saturates, M is at most
   // M_s/J = 82 kA/m/J. Cells of 1/32 m resolve less of what happens at the pole: there the limit of
   // what counts as crushed is J = 0.09, with 1/128 m it is 0.05.
   const std::string options = "--set \"Box/Cell size=0.03125\" --set Output/Particles=false "
