@@ -6,13 +6,24 @@
 //   newton_convergence > newton_convergence.csv && benchmarks/plot_newton_convergence.py
 //
 // Writes comma-separated values: scheme, chi_0, a, step, residual over that of zero potential.
+//
+//   newton_convergence parameter_files/*.prm > scenes.csv &&
+//     benchmarks/plot_newton_convergence.py scenes.csv scenes.svg
+//
+// solves the potential of scenes instead, each as it is at its start, from zero potential (where the
+// field is switched on slowly: as it is when the first frame ends). Writes scene, step, residual.
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/timer.h>
+
+#include <magmpm/magnetic_coupling.h>
+#include <magmpm/particles/seeding.h>
 
 #include <magnetics/scene.h>
 #include <paper_scheme/ball_experiment.h>
 
 #include <cstdio>
+#include <iostream>
 
 using namespace magmpm;
 using paper_scheme::BallExperiment;
@@ -94,12 +105,103 @@ namespace
     const SolveReport report = scene.problem.solve(scene.content, magnet(ball, a));
     print("magmpm", susceptibility, a, report.newton, report.zero_residual);
   }
+
+  /** The bodies of a scene, seeded. */
+  template <int dim>
+  std::vector<Body<dim>>
+  seeded_bodies(const Parameters<dim> &parameters)
+  {
+    std::vector<Body<dim>> bodies;
+    for (const BodyParameters<dim> &body : parameters.bodies)
+      {
+        bodies.emplace_back(body, parameters.material_of(body));
+        seed_particles(body,
+                       parameters.lattice,
+                       bodies.size() - 1,
+                       dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD),
+                       dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD),
+                       bodies.back());
+      }
+    return bodies;
+  }
+
+  /** The first solve of a scene. */
+  template <int dim>
+  SolveReport
+  first_solve(Parameters<dim> parameters)
+  {
+    parameters.magnetics.newton_tolerance = tolerance;
+    dealii::TimerOutput timer(
+      std::cerr, dealii::TimerOutput::never, dealii::TimerOutput::wall_times);
+    ExternalField<dim> magnets(parameters.sources);
+    std::vector<Body<dim>> bodies = seeded_bodies(parameters);
+    DomainDecomposition<dim> decomposition(parameters, MPI_COMM_WORLD);
+    MagneticCoupling<dim> coupling(parameters, decomposition, magnets, timer, MPI_COMM_WORLD);
+    decomposition.regroup(bodies);
+    RunState state;
+    for (const double time : {0., parameters.output.frame_interval})
+      {
+        magnets.set_time(time);
+        coupling.solve(bodies, state);
+        if (state.last_solve.zero_residual > 0.)
+          break;
+      }
+    return state.last_solve;
+  }
+
+  template <int dim>
+  void
+  run_scene(const ParameterFile &file)
+  {
+    const Parameters<dim> parameters = read_parameters<dim>(file);
+    if (!parameters.mesh.carries_potential)
+      return;
+    const SolveReport report = first_solve(parameters);
+    if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
+      return;
+    const std::string name = file.default_output_directory().substr(std::string("output-").size());
+    const auto &residuals  = report.newton.residuals;
+    int enough             = -1;
+    for (std::size_t step = 0; step < residuals.size(); ++step)
+      {
+        const double relative = residuals[step] / report.zero_residual;
+        std::printf("%s,%zu,%.3e\n", name.c_str(), step, relative);
+        if (enough < 0 && relative < 1e-10)
+          enough = static_cast<int>(step);
+      }
+    std::fprintf(stderr,
+                 "%-24s %9llu unknowns, below 1e-10 after %d steps, %d CG iterations to %.0e\n",
+                 name.c_str(),
+                 report.n_unknowns,
+                 enough,
+                 report.newton.linear_iterations,
+                 report.relative_final_residual());
+  }
+
+  void
+  run_scenes(const int n_files, char **files)
+  {
+    std::printf("scene,step,relative_residual\n");
+    for (int i = 0; i < n_files; ++i)
+      {
+        const ParameterFile file = read_parameter_file(files[i]);
+        if (read_dimension(file) == 2)
+          run_scene<2>(file);
+        else
+          run_scene<3>(file);
+      }
+  }
 } // namespace
 
 int
 main(int argc, char **argv)
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  if (argc > 1)
+    {
+      run_scenes(argc - 1, argv + 1);
+      return 0;
+    }
   std::printf("scheme,susceptibility,argument,step,relative_residual\n");
   for (const double susceptibility : {0.91, 10.})
     for (const double a : {1., 3., 30.})

@@ -1,8 +1,11 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/timer.h>
 
+#include <magmpm/carried_reaction.h>
 #include <magmpm/magnetic_coupling.h>
+#include <magmpm/magnetics/mirror_images.h>
 #include <magmpm/magnetics/potential_problem.h>
+#include <magmpm/magnetics/source_reaction.h>
 #include <magmpm/particles/carried_force.h>
 #include <magmpm/particles/magnetic_transfer.h>
 #include <magmpm/particles/particle_sums.h>
@@ -58,8 +61,11 @@ namespace magmpm
                                                               communicator);
         // A motion that turned back is a vibration: its way says nothing about the force.
         if (state.drift_since_solve <= tolerated)
-          for (Body<dim> &body : bodies)
-            hold_carried_force(state.carried_way, body);
+          {
+            for (Body<dim> &body : bodies)
+              hold_carried_force(state.carried_way, body);
+            hold_reactions(state.carried_way, state.reactions);
+          }
       }
     const auto change = external_field.change_since_remembered();
     return state.drift_since_solve > tolerated || change.displacement > tolerated ||
@@ -71,6 +77,7 @@ namespace magmpm
   MagneticCoupling<dim>::solve(std::vector<Body<dim>> &bodies, RunState &state)
   {
     solve_potential(bodies, state);
+    const double way = state.carried_way;
     carry_force(nodal_accelerations(bodies, state), bodies, state);
     NodeField<dim> field;
     field.reinit(decomposition.blocks().size());
@@ -86,6 +93,30 @@ namespace magmpm
     state.step_of_last_solve = state.step;
     state.time_of_last_solve = state.time;
     ++state.n_solves;
+    // What moves a free magnet is needed now, what is only told of magnets when a row is written.
+    if (std::any_of(parameters.sources.begin(), parameters.sources.end(), [](const auto &source) {
+          return source.is_free;
+        }))
+      find_reactions(way, state);
+  }
+
+  template <int dim>
+  void
+  MagneticCoupling<dim>::find_reactions(const double way, RunState &state) const
+  {
+    set_reactions(reactions_on_sources(problem->material_samples(), external_field, communicator),
+                  way,
+                  state.reactions);
+    state.reactions.n_solves = state.n_solves;
+  }
+
+  template <int dim>
+  void
+  MagneticCoupling<dim>::update_reactions(RunState &state) const
+  {
+    if (state.reactions.n_solves != state.n_solves && !parameters.sources.empty() &&
+        mesh_of_last_solve == decomposition.mesh().revision())
+      find_reactions(0., state);
   }
 
   template <int dim>
@@ -100,6 +131,7 @@ namespace magmpm
                        change.relative_strength * parameters.lattice.spacing;
     for (Body<dim> &body : bodies)
       advance_carried_force(way - state.carried_way, body);
+    advance_reactions(way - state.carried_way, state.reactions);
     state.carried_way = way;
   }
 
@@ -143,6 +175,8 @@ namespace magmpm
     magnetic_mass_to_lattice(bodies, blocks, parameters.lattice, masses);
     decomposition.partition().add_ghosts_to_owners(masses);
     decomposition.partition().update_ghosts(masses);
+    add_mirror_images(
+      decomposition.partition(), parameters.lattice, parameters.magnetics.shielded, masses);
     state.dropped_magnetic_force = norm(problem->compute_force(masses, force));
     for (int slot = 0; slot < blocks.n_owned(); ++slot)
       for (int n = 0; n < nodes_per_block<dim>; ++n)

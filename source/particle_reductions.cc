@@ -11,10 +11,10 @@ namespace magmpm
                   const Parameters<dim> &parameters,
                   const MPI_Comm communicator)
   {
+    const MagnetizationModel model = parameters.magnetics.model();
     std::vector<ParticleSums<dim>> sums;
     for (const Body<dim> &body : bodies)
-      sums.push_back(
-        particle_sums(body, parameters.lattice, parameters.gravity, parameters.magnetics.law));
+      sums.push_back(particle_sums(body, parameters.lattice, parameters.gravity, model));
     using Sums = std::vector<ParticleSums<dim>>;
     return dealii::Utilities::MPI::all_reduce<Sums>(
       sums, communicator, [](const Sums &one, const Sums &other) {

@@ -2,13 +2,14 @@
 #include <deal.II/base/timer.h>
 #include <deal.II/base/utilities.h>
 
+#include <magmpm/artificial_attraction.h>
 #include <magmpm/base/version.h>
-#include <magmpm/boundary/momentum_update.h>
 #include <magmpm/fluid_density.h>
 #include <magmpm/io/number_text.h>
 #include <magmpm/io/parameter_changes.h>
 #include <magmpm/magnetic_coupling.h>
 #include <magmpm/particle_reductions.h>
+#include <magmpm/particles/carried_force.h>
 #include <magmpm/particles/seeding.h>
 #include <magmpm/simulation.h>
 
@@ -63,20 +64,21 @@ namespace magmpm
                                                   dealii::TimerOutput::never,
                                                   dealii::TimerOutput::wall_times))
     , external_field(parameters.sources)
-    , boundary(parameters.lattice, parameters.walls, external_field)
+    , rigid_bodies(this->parameters, external_field, communicator)
     , open(open_faces(parameters.walls))
     , time_step_control(parameters.time_step, parameters.lattice.spacing)
+    , rest(parameters.rest)
     , checkpoints(communicator, parameters.output.directory, parameters.checkpoint.n_kept)
     , control(parameters.checkpoint,
               parameters.output.directory,
               dealii::Utilities::MPI::this_mpi_process(communicator))
+    , attraction(parameters.attraction)
   {
     for (const BodyParameters<dim> &body : parameters.bodies)
       {
         bodies.emplace_back(body, parameters.material_of(body));
-        const double particle_volume =
-          std::pow(parameters.lattice.spacing / body.particles_per_edge, dim);
-        typical_particle_mass = std::max(typical_particle_mass, body.density * particle_volume);
+        typical_particle_mass = std::max(typical_particle_mass,
+                                         body.density * body.particle_volume(parameters.lattice));
       }
     // Results have begun anew, or go on: an older checkpoint no longer belongs to them.
     if (checkpoint)
@@ -99,7 +101,8 @@ namespace magmpm
         while (!is_at_end() && !is_stopped())
           {
             advance_one_step();
-            const bool frame_is_complete = state.time >= (1. - 1e-9) * time_of_next_frame();
+            const bool frame_is_complete = rest.is_over(state) ||
+                                           state.time >= (1. - 1e-9) * time_of_next_frame();
             if (frame_is_complete)
               {
                 ++state.frame;
@@ -119,6 +122,10 @@ namespace magmpm
     if (is_stopped())
       results.log().message("stopped by " + RunControl::reason(request) +
                             "; go on with: magmpm --resume, and the same parameter file");
+    else if (rest.is_over(state))
+      results.log().message("ended since " + rest.reason());
+    else
+      results.log().message("ended at the end time");
     results.log().end();
   }
 
@@ -133,7 +140,7 @@ namespace magmpm
   bool
   Simulation<dim>::is_at_end() const
   {
-    return state.time >= (1. - 1e-12) * parameters.end_time;
+    return rest.is_over(state) || state.time >= (1. - 1e-12) * parameters.end_time;
   }
 
   template <int dim>
@@ -153,10 +160,9 @@ namespace magmpm
     return request != RunControl::Request::none || (is_at_end() && wanted.is_wanted());
   }
 
-  // One step, section 4.3 of Sun et al. 2021.
   template <int dim>
   void
-  Simulation<dim>::advance_one_step()
+  Simulation<dim>::choose_time_step()
   {
     const TimeStep step =
       time_step_control.next_step(step_conditions, state.time, time_of_next_frame());
@@ -167,21 +173,32 @@ namespace magmpm
         state.full_time_step = step.length;
         state.full_limit     = step.limit;
       }
+  }
+
+  // One step, section 4.3 of Sun et al. 2021.
+  template <int dim>
+  void
+  Simulation<dim>::advance_one_step()
+  {
+    choose_time_step();
     state.solved_this_step = false;
 
-    external_field.set_time(state.time);
+    rigid_bodies.set_time(state.time);
     update_magnetics(); // Eqs. (25)-(33)
+    attract_bodies();
     relax_fluids();
-    transfer_to_lattice(step.length); // Eq. (28)
-    update_lattice();                 // Eqs. (33), (34)
-    transfer_to_particles();          // Eqs. (35)-(37)
+    transfer_to_lattice(); // Eq. (28)
+    update_lattice();      // Eqs. (33), (34)
+    rigid_bodies.advance(state);
+    transfer_to_particles(); // Eqs. (35)-(37)
 
-    state.time += step.length;
+    state.time += state.time_step;
     ++state.step;
     // Now, not before the next step: output also counts on particles being in their arenas.
     if (drift_since_sort > tolerated_drift * parameters.lattice.spacing)
       regroup_particles();
-    if (state.step % parameters.output.statistics_every == 0)
+    check_for_rest();
+    if (state.step % parameters.output.statistics_every == 0 || rest.is_over(state))
       write_statistics();
   }
 
@@ -191,7 +208,7 @@ namespace magmpm
   {
     magnetics.reset(); // sees the mesh
     decomposition = std::make_unique<DomainDecomposition<dim>>(parameters, communicator);
-    if (parameters.mesh.carries_potential)
+    if (parameters.mesh.carries_potential && !(attraction.matches_magnets && state.attraction > 0.))
       magnetics = std::make_unique<MagneticCoupling<dim>>(
         parameters, *decomposition, external_field, *timer, communicator);
     // Where particles are when a run begins or is resumed is no migration, and no change of the mesh.
@@ -225,10 +242,13 @@ namespace magmpm
   {
     seed_bodies();
     set_up_decomposition();
-    external_field.set_time(0.);
+    rigid_bodies.set_time(0.);
     step_conditions.acceleration = norm(parameters.gravity);
     update_magnetics();
+    match_attraction();
     results.write_header(state, bodies);
+    if (attraction.is_wanted())
+      results.log().message(description(attraction));
 
     // What limits the first step is not known from a step before it.
     std::vector<ParticleExtremes> extremes;
@@ -289,6 +309,46 @@ namespace magmpm
 
   template <int dim>
   void
+  Simulation<dim>::match_attraction()
+  {
+    if (!attraction.matches_magnets)
+      return;
+    state.attraction = attraction.acceleration =
+      matched_acceleration(parameters, bodies, communicator);
+    magnetics.reset();
+    for (Body<dim> &body : bodies)
+      drop_carried_force(body);
+    state.last_solve.energy             = 0.;
+    step_conditions.magnetic_wave_speed = 0.;
+    step_conditions.acceleration        = norm(parameters.gravity);
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::attract_bodies()
+  {
+    if (!attraction.is_wanted())
+      return;
+    double largest = 0.;
+    for (Body<dim> &body : bodies)
+      largest = std::max(largest, attract(attraction, state.time_step, body));
+    step_conditions.attraction = dealii::Utilities::MPI::max(largest, communicator);
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::check_for_rest()
+  {
+    if (!rest.is_due(state))
+      return;
+    ParticleSums<dim> total;
+    for (const ParticleSums<dim> &sums : sums_over_ranks(bodies, parameters, communicator))
+      total += sums;
+    rest.note_speed(2. * total.kinetic_energy / total.mass, state);
+  }
+
+  template <int dim>
+  void
   Simulation<dim>::update_magnetics()
   {
     if (magnetics == nullptr)
@@ -298,6 +358,7 @@ namespace magmpm
       return;
     dealii::TimerOutput::Scope timed(*timer, "Solve potential");
     magnetics->solve(bodies, state); // Eqs. (25)-(33)
+    state.rigid_bodies_at_solve         = rigid_bodies.bodies().record();
     step_conditions.magnetic_wave_speed = 0.;
     step_conditions.acceleration        = norm(parameters.gravity);
     for (const ParticleSums<dim> &sums : sums_over_ranks(bodies, parameters, communicator))
@@ -311,11 +372,11 @@ namespace magmpm
 
   template <int dim>
   void
-  Simulation<dim>::transfer_to_lattice(const double time_step)
+  Simulation<dim>::transfer_to_lattice()
   {
     dealii::TimerOutput::Scope timed(*timer, "P2G");
     particles_to_lattice(
-      bodies, decomposition->blocks(), parameters.lattice, time_step, lattice_field);
+      bodies, decomposition->blocks(), parameters.lattice, state.time_step, lattice_field);
     decomposition->partition().add_ghosts_to_owners(lattice_field);
   }
 
@@ -324,12 +385,8 @@ namespace magmpm
   Simulation<dim>::update_lattice()
   {
     dealii::TimerOutput::Scope timed(*timer, "Update lattice");
-    update_lattice_momentum(decomposition->blocks(),
-                            boundary,
-                            parameters.gravity,
-                            state.time_step,
-                            typical_particle_mass,
-                            lattice_field);
+    rigid_bodies.update_lattice(
+      decomposition->blocks(), typical_particle_mass, state, lattice_field);
     decomposition->partition().update_ghosts(lattice_field);
   }
 
@@ -340,10 +397,7 @@ namespace magmpm
     dealii::TimerOutput::Scope timed(*timer, "G2P");
     std::vector<ParticleExtremes> extremes = lattice_to_particles(
       lattice_field, decomposition->blocks(), parameters.lattice, state.time_step, bodies);
-    std::size_t n_held = 0;
-    for (Body<dim> &body : bodies)
-      n_held += hold_at_walls(decomposition->blocks(), parameters.lattice, open, body);
-    state.held_particles += dealii::Utilities::MPI::sum(n_held, communicator);
+    drift_since_sort += rigid_bodies.hold_particles(decomposition->blocks(), open, bodies, state);
 
     request = static_cast<RunControl::Request>(
       maximize_over_ranks(extremes, static_cast<double>(control.request()), communicator));
@@ -362,8 +416,8 @@ namespace magmpm
   void
   Simulation<dim>::update_step_conditions(const std::vector<ParticleExtremes> &extremes)
   {
-    StepConditions &conditions     = step_conditions;
-    conditions.collider_speed      = boundary.max_speed();
+    StepConditions &conditions = step_conditions;
+    rigid_bodies.update_step_conditions(state, conditions);
     conditions.signal_speed        = 0.;
     conditions.affine_velocity     = 0.;
     conditions.kinematic_viscosity = 0.;
@@ -395,6 +449,9 @@ namespace magmpm
         magnetics->solve_for_output(bodies, state);
         results.write_fields(state, magnetics->potential(), external_field);
       }
+    // Where the next step finds them.
+    rigid_bodies.set_time(state.time);
+    results.write_rigid_bodies(state, external_field, rigid_bodies.bodies());
     results.flush();
   }
 
@@ -406,10 +463,17 @@ namespace magmpm
     double n_particles = 0.;
     for (const Body<dim> &body : bodies)
       n_particles += static_cast<double>(body.particles.size());
+    if (magnetics != nullptr)
+      magnetics->update_reactions(state);
+    state.deepest_penetration = dealii::Utilities::MPI::max(state.deepest_penetration,
+                                                            communicator);
     results.write_statistics(state,
                              sums_over_ranks(bodies, parameters, communicator),
                              dealii::Utilities::MPI::min(n_particles, communicator),
-                             timer->get_summary_data(dealii::TimerOutput::total_wall_time));
+                             timer->get_summary_data(dealii::TimerOutput::total_wall_time),
+                             rigid_bodies.bodies(),
+                             rigid_bodies.forces_on_magnets(state));
+    state.deepest_penetration = 0.;
   }
 
   template <int dim>
@@ -444,10 +508,14 @@ namespace magmpm
 
     state           = resumed->state;
     step_conditions = resumed->step_conditions;
+    if (attraction.matches_magnets)
+      attraction.acceleration = state.attraction;
     for (std::size_t b = 0; b < checkpoint.particles.size(); ++b)
       bodies[b].particles.append_from_records(checkpoint.particles[b]);
+    rigid_bodies.restore(state.rigid_bodies_at_solve);
     external_field.set_time(state.time_of_last_solve);
     external_field.remember();
+    rigid_bodies.restore(state.rigid_bodies);
     set_up_decomposition();
 
     results.write_header(state, bodies);

@@ -1,6 +1,7 @@
 #include <magmpm/base/exceptions.h>
 #include <magmpm/time_step_control.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -8,6 +9,14 @@ namespace magmpm
 {
   namespace
   {
+    /** Of material and of rigid bodies [m/s^2]. */
+    double
+    max_acceleration(const StepConditions &conditions)
+    {
+      return std::max(conditions.acceleration + conditions.attraction,
+                      conditions.rigid_acceleration);
+    }
+
     /** What a limit is made of, for a message. */
     std::string
     formula_of(const std::string &limit, const StepConditions &conditions)
@@ -22,7 +31,11 @@ namespace magmpm
         text << "Viscous factor times rho dx^2/mu_N, mu_N/rho = " << conditions.kinematic_viscosity
              << " m^2/s";
       else if (limit == "force")
-        text << "Force factor times sqrt(dx/|a|), |a| = " << conditions.acceleration << " m/s^2";
+        text << "Force factor times sqrt(dx/|a|), |a| = " << max_acceleration(conditions)
+             << " m/s^2";
+      else if (limit == "rotation")
+        text << "Affine factor over the rate at which a free rigid body turns or swings, "
+             << conditions.rotation_rate << " 1/s";
       else
         text << "Affine factor over |C|, |C| = " << conditions.affine_velocity << " 1/s";
       return text.str();
@@ -48,8 +61,9 @@ namespace magmpm
     const double speed = conditions.signal_speed + conditions.magnetic_wave_speed;
     limit("elastic", parameters.elastic_factor * dx / std::max(speed, conditions.collider_speed));
     limit("viscous", parameters.viscous_factor * dx * dx / conditions.kinematic_viscosity);
-    limit("force", parameters.force_factor * std::sqrt(dx / conditions.acceleration));
+    limit("force", parameters.force_factor * std::sqrt(dx / max_acceleration(conditions)));
     limit("affine", parameters.affine_factor / conditions.affine_velocity);
+    limit("rotation", parameters.affine_factor / conditions.rotation_rate);
     return step;
   }
 

@@ -52,8 +52,7 @@ namespace magmpm::benchmarks
         : lattice(scene.lattice)
         , bodies(scene.bodies)
         , time_step(scene.time_step)
-        , sources({})
-        , boundary(lattice, walls(), sources)
+        , boundary(lattice, walls(), no_rigid_bodies)
         , particle_mass(bodies[0].particles.component(ParticleProperty::mass, 0)[0])
       {
       }
@@ -89,7 +88,7 @@ namespace magmpm::benchmarks
       Lattice<3> lattice;
       std::vector<Body<3>> bodies;
       double time_step;
-      ExternalField<3> sources;
+      const std::vector<RigidBody<3>> no_rigid_bodies;
       LatticeBoundary<3> boundary;
       double particle_mass;
       BlockSet<3> blocks;

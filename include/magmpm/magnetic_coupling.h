@@ -55,6 +55,13 @@ namespace magmpm
     void
     advance_force(std::vector<Body<dim>> &bodies, RunState &state) const;
 
+    /**
+     * Finds what the material does to the sources, if the last solve did not and its mesh is still
+     * there. Collective.
+     */
+    void
+    update_reactions(RunState &state) const;
+
     /** Finds the potential on the present mesh, if that changed since the last solve. Collective. */
     void
     solve_for_output(std::vector<Body<dim>> &bodies, RunState &state);
@@ -73,6 +80,10 @@ namespace magmpm
     /** The densities of grains on the nodes, summed over the ranks, ghosts up to date. */
     NodeField<dim>
     magnetic_content(std::vector<Body<dim>> &bodies) const;
+
+    /** What the material does to the sources. @param way  since they were found last, or 0 [m]. */
+    void
+    find_reactions(const double way, RunState &state) const;
 
     /** Accelerations of the nodes [m/s^2] by the magnetic force. */
     NodeField<dim>

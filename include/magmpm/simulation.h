@@ -1,6 +1,5 @@
 #pragma once
 
-#include <magmpm/boundary/lattice_boundary.h>
 #include <magmpm/domain_decomposition.h>
 #include <magmpm/io/checkpoint.h>
 #include <magmpm/io/parameters.h>
@@ -11,6 +10,8 @@
 #include <magmpm/particles/particle_grid_transfer.h>
 #include <magmpm/particles/particle_sort.h>
 #include <magmpm/particles/particle_sums.h>
+#include <magmpm/rest_check.h>
+#include <magmpm/rigid_body_coupling.h>
 #include <magmpm/run_control.h>
 #include <magmpm/run_record.h>
 #include <magmpm/runaway_check.h>
@@ -73,12 +74,28 @@ namespace magmpm
     void
     set_up_decomposition();
 
+    /** The length of this step, and what limits it. */
+    void
+    choose_time_step();
+
     void
     advance_one_step();
 
     /** Brings particles to the ranks and slots of their blocks; adapts the mesh where they went. */
     void
     regroup_particles();
+
+    /** Gives the artificial attraction, if it is to, the total force of the magnets, and ends theirs. */
+    void
+    match_attraction();
+
+    /** Adds the impulse of the artificial attraction to the particles. */
+    void
+    attract_bodies();
+
+    /** Notes whether all material is at rest, if that is to end the run. */
+    void
+    check_for_rest();
 
     /** Draws the J of fluids towards that of the lattice, every few steps. */
     void
@@ -90,7 +107,7 @@ namespace magmpm
 
     /** P2G of momentum and mass, summed over the ranks. */
     void
-    transfer_to_lattice(const double time_step);
+    transfer_to_lattice();
 
     void
     update_lattice();
@@ -135,9 +152,10 @@ namespace magmpm
     std::unique_ptr<dealii::TimerOutput> timer;
 
     ExternalField<dim> external_field;
-    LatticeBoundary<dim> boundary;
+    RigidBodyCoupling<dim> rigid_bodies;
     const OpenFaces<dim> open;
     const TimeStepControl time_step_control;
+    const RestCheck rest;
     std::unique_ptr<DomainDecomposition<dim>> decomposition;
     std::unique_ptr<MagneticCoupling<dim>> magnetics; ///< null without magnetic material
 
@@ -150,6 +168,7 @@ namespace magmpm
 
     RunState state;
     StepConditions step_conditions;
+    PointAttraction<dim> attraction;
     double typical_particle_mass = 0.; ///< [kg]
     double drift_since_sort      = 0.; ///< the longest way a particle can have gone [m]
   };

@@ -13,7 +13,7 @@ namespace magmpm
   struct TimeStep
   {
     double length = 0.; ///< dt [s]
-    std::string limit;  ///< elastic, viscous, force, affine, maximum, frame end or fixed
+    std::string limit;  ///< elastic, viscous, force, affine, rotation, maximum, frame end or fixed
   };
 
   /** The state of the material that limits the next step, extremes over all particles and ranks. */
@@ -25,6 +25,9 @@ namespace magmpm
     double kinematic_viscosity = 0.; ///< J mu_N/rho_0 [m^2/s]
     double acceleration        = 0.; ///< of gravity and magnets [m/s^2]
     double affine_velocity     = 0.; ///< |C| [1/s]
+    double rigid_acceleration  = 0.; ///< of free rigid bodies [m/s^2]
+    double rotation_rate       = 0.; ///< of free rigid bodies: how fast they turn or swing [1/s]
+    double attraction          = 0.; ///< of the artificial attraction [m/s^2]
 
     template <typename Archive>
     void
@@ -36,6 +39,9 @@ namespace magmpm
       archive &kinematic_viscosity;
       archive &acceleration;
       archive &affine_velocity;
+      archive &rigid_acceleration;
+      archive &rotation_rate;
+      archive &attraction;
     }
   };
 
@@ -47,6 +53,7 @@ namespace magmpm
    *   viscous:  dt <= viscous factor dx^2/(J mu_N/rho_0)
    *   force:    dt <= force factor sqrt(dx/|a|)
    *   affine:   dt <= affine factor/|C|
+   *   rotation: dt <= affine factor/omega, of free rigid bodies
    *
    * A fixed step is checked against these limits, unless the user allows an unstable one. The step
    * before a frame is shortened to meet it ("frame end").

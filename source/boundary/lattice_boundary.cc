@@ -6,28 +6,6 @@ namespace magmpm
 {
   namespace
   {
-    /** What a contact leaves of the velocity relative to a surface with outward normal @p normal. */
-    template <int dim>
-    Vector<dim>
-    contact(const ContactCondition condition,
-            const Vector<dim> &normal,
-            const Vector<dim> &relative)
-    {
-      const double normal_velocity = dot(relative, normal);
-      switch (condition)
-        {
-          case ContactCondition::stick:
-            return {};
-          case ContactCondition::slip:
-            return relative - normal_velocity * normal;
-          case ContactCondition::separate:
-            return relative - std::min(normal_velocity, 0.) * normal;
-          case ContactCondition::none:
-          default:
-            return relative;
-        }
-    }
-
     ContactCondition
     as_contact(const WallCondition condition)
     {
@@ -49,10 +27,10 @@ namespace magmpm
   template <int dim>
   LatticeBoundary<dim>::LatticeBoundary(const Lattice<dim> &lattice,
                                         const WallParameters<dim> &walls,
-                                        const ExternalField<dim> &sources)
+                                        const std::vector<RigidBody<dim>> &bodies)
     : lattice(lattice)
     , walls(walls)
-    , sources(sources)
+    , bodies(bodies)
   {
   }
 
@@ -60,19 +38,19 @@ namespace magmpm
   Vector<dim>
   LatticeBoundary<dim>::constrained(const Index<dim> &node, Vector<dim> velocity) const
   {
-    if (!sources.solid_spheres().empty())
+    if (!bodies.empty())
       {
         const Vector<dim> position = lattice.node_position(node);
-        for (const MagnetizedSphere<dim> *sphere : sources.solid_spheres())
+        for (const RigidBody<dim> &body : bodies)
           {
-            const Vector<dim> r   = position - sphere->centre();
-            const double distance = norm(r);
-            // In the very centre no direction is outward, and the node just follows.
-            if (distance < sphere->radius())
-              velocity = sphere->velocity() +
-                         contact(distance > 0. ? sphere->contact() : ContactCondition::stick,
-                                 (1. / std::max(distance, 1e-300)) * r,
-                                 velocity - sphere->velocity());
+            if (body.is_free() || !body.is_near(position, 0.))
+              continue;
+            const SurfaceDistance<dim> surface = body.surface_distance(position);
+            if (surface.distance >= 0.)
+              continue;
+            const Vector<dim> relative = velocity - body.velocity_at(position);
+            velocity -= taken_by(
+              contact_share(body.contact(), surface.normal, relative), surface.normal, relative);
           }
       }
     // Walls last: a node in a corner of a wall and a magnet must not leave the box.
@@ -82,7 +60,10 @@ namespace magmpm
           {
             Vector<dim> normal;
             normal[d] = (side == 0 ? 1. : -1.);
-            velocity  = contact(as_contact(walls.condition[2 * d + side]), normal, velocity);
+            velocity -= taken_by(
+              contact_share({as_contact(walls.condition[2 * d + side]), 0.}, normal, velocity),
+              normal,
+              velocity);
           }
     return velocity;
   }
@@ -92,8 +73,8 @@ namespace magmpm
   LatticeBoundary<dim>::max_speed() const
   {
     double speed = 0.;
-    for (const MagnetizedSphere<dim> *sphere : sources.solid_spheres())
-      speed = std::max(speed, norm(sphere->velocity()));
+    for (const RigidBody<dim> &body : bodies)
+      speed = std::max(speed, body.max_speed());
     return speed;
   }
 

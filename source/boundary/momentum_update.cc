@@ -1,5 +1,7 @@
 #include <magmpm/boundary/momentum_update.h>
 
+#include <cmath>
+
 namespace magmpm
 {
   template <int dim>
@@ -8,10 +10,12 @@ namespace magmpm
                           const LatticeBoundary<dim> &boundary,
                           const Vector<dim> &gravity,
                           const double time_step,
+                          const double damping_rate,
                           const double typical_mass,
                           NodeField<dim> &field)
   {
     const double negligible_mass = 1e-12 * typical_mass;
+    const double remaining       = std::exp(-damping_rate * time_step);
     for (int slot = 0; slot < blocks.n_owned(); ++slot)
       for (int n = 0; n < nodes_per_block<dim>; ++n)
         {
@@ -23,7 +27,7 @@ namespace magmpm
           if (mass > negligible_mass)
             {
               for (int d = 0; d < dim; ++d)
-                velocity[d] = node[d] / mass + time_step * gravity[d];
+                velocity[d] = remaining * (node[d] / mass + time_step * gravity[d]);
               velocity = boundary.constrained(node_of_block<dim>(blocks.block(slot), n), velocity);
             }
           for (int d = 0; d < dim; ++d)
@@ -37,11 +41,13 @@ namespace magmpm
                           const Vector<2> &,
                           double,
                           double,
+                          double,
                           NodeField<2> &);
   template void
   update_lattice_momentum(const BlockSet<3> &,
                           const LatticeBoundary<3> &,
                           const Vector<3> &,
+                          double,
                           double,
                           double,
                           NodeField<3> &);

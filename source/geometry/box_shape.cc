@@ -103,6 +103,36 @@ namespace magmpm
     return points;
   }
 
+  template <int dim>
+  SurfaceMesh<dim>
+  BoxShape<dim>::surface_mesh(const double /*spacing*/) const
+  {
+    SurfaceMesh<dim> mesh;
+    for (int corner = 0; corner < (1 << dim); ++corner)
+      {
+        Vector<dim> point;
+        for (int d = 0; d < dim; ++d)
+          point[d] = ((corner >> d) & 1) ? box.upper[d] : box.lower[d];
+        mesh.points.push_back(point);
+      }
+    if constexpr (dim == 2)
+      mesh.facets = {{0, 1}, {1, 3}, {3, 2}, {2, 0}};
+    else
+      mesh.facets = {{0, 2, 3},
+                     {0, 3, 1},
+                     {4, 5, 7},
+                     {4, 7, 6},
+                     {0, 1, 5},
+                     {0, 5, 4},
+                     {2, 6, 7},
+                     {2, 7, 3},
+                     {0, 4, 6},
+                     {0, 6, 2},
+                     {1, 3, 7},
+                     {1, 7, 5}};
+    return mesh;
+  }
+
   template class BoxShape<2>;
   template class BoxShape<3>;
 } // namespace magmpm

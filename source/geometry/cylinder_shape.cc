@@ -109,4 +109,26 @@ namespace magmpm
         add_ring(radius * i / n_across, end * length);
     return points;
   }
+  SurfaceMesh<3>
+  CylinderShape::surface_mesh(const double spacing) const
+  {
+    const int n = std::max(12, static_cast<int>(std::ceil(2. * constants::pi * radius / spacing)));
+    const Vector<3> other = cross(direction, across);
+    SurfaceMesh<3> mesh;
+    for (const double end : {-0.5, 0.5})
+      mesh.points.push_back(centre + (end * length) * direction);
+    for (int i = 0; i < n; ++i)
+      {
+        const double angle = 2. * constants::pi * i / n;
+        for (const Vector<3> &middle : {mesh.points[0], mesh.points[1]})
+          mesh.points.push_back(middle + radius * std::cos(angle) * across +
+                                radius * std::sin(angle) * other);
+        const int here = 2 + 2 * i, next = 2 + 2 * ((i + 1) % n);
+        mesh.facets.push_back({here, next, next + 1});
+        mesh.facets.push_back({here, next + 1, here + 1});
+        mesh.facets.push_back({0, next, here});
+        mesh.facets.push_back({1, here + 1, next + 1});
+      }
+    return mesh;
+  }
 } // namespace magmpm

@@ -60,4 +60,10 @@ namespace magmpm
   {
     return magmpm::surface_points(triangles, spacing);
   }
+
+  SurfaceMesh<3>
+  MeshShape::surface_mesh(const double /*spacing*/) const
+  {
+    return {triangles.points, triangles.triangles};
+  }
 } // namespace magmpm

@@ -85,6 +85,38 @@ namespace magmpm
     return points;
   }
 
+  template <int dim>
+  SurfaceMesh<dim>
+  SphereShape<dim>::surface_mesh(const double spacing) const
+  {
+    const int n = std::max(12, static_cast<int>(std::ceil(2. * constants::pi * radius / spacing)));
+    SurfaceMesh<dim> mesh;
+    // Rings from pole to pole; in 2D the one ring that there is.
+    const int n_rings = dim == 2 ? 1 : n / 2 + 1;
+    for (int ring = 0; ring < n_rings; ++ring)
+      for (int i = 0; i < n; ++i)
+        {
+          const double longitude = 2. * constants::pi * i / n;
+          const double latitude  = dim == 2 ? 0.5 * constants::pi
+                                            : constants::pi * ring / (n_rings - 1);
+          Vector<dim> point      = centre;
+          point[0] += radius * std::sin(latitude) * std::cos(longitude);
+          point[1] += radius * std::sin(latitude) * std::sin(longitude);
+          if constexpr (dim == 3)
+            point[2] -= radius * std::cos(latitude);
+          mesh.points.push_back(point);
+          const int here = ring * n + i, next = ring * n + (i + 1) % n;
+          if constexpr (dim == 2)
+            mesh.facets.push_back({here, next});
+          else if (ring + 1 < n_rings)
+            {
+              mesh.facets.push_back({here, next, next + n});
+              mesh.facets.push_back({here, next + n, here + n});
+            }
+        }
+    return mesh;
+  }
+
   template class SphereShape<2>;
   template class SphereShape<3>;
 } // namespace magmpm

@@ -26,6 +26,11 @@ namespace magmpm
                      "-",
                      "Particles along an edge of a lattice cell: 2 means 8 per cell in 3D.",
                      {1., 8.});
+    declarations.add("Arrangement",
+                     body.arrangement,
+                     {{"cubic", Arrangement::cubic}, {"face-centred", Arrangement::face_centred}},
+                     "Which places hold particles: all of them, or every other, as on a "
+                     "chessboard: 4 per edge, face-centred, are 32 per cell in 3D, 8 in 2D.");
     declarations.add("Jitter",
                      body.jitter,
                      "-",

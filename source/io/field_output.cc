@@ -27,6 +27,7 @@ namespace magmpm
       double potential;
       double number_density;
       Vector<dim> self_field, field, magnetization;
+      Vector<dim> magnetization_of_magnets;
     };
 
     struct Quantity
@@ -78,7 +79,8 @@ namespace magmpm
         vectors([](const Node &at) { return at.magnetization; });
       else if (quantity.name == "B")
         vectors([](const Node &at) {
-          return constants::vacuum_permeability * (at.field + at.magnetization);
+          return constants::vacuum_permeability *
+                 (at.field + at.magnetization + at.magnetization_of_magnets);
         });
       else if (quantity.name == "number_density")
         scalars([](const Node &at) { return at.number_density; });
@@ -201,7 +203,8 @@ namespace magmpm
 
         const auto of_medium = medium(dof);
         std::copy_n(of_medium.data(), dim, values.magnetization.values);
-        values.number_density = of_medium[dim];
+        values.number_density           = of_medium[dim];
+        values.magnetization_of_magnets = sources.magnetization(position);
         return values;
       }
 

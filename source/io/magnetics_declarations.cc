@@ -74,8 +74,15 @@ namespace magmpm
     declarations.add("Magnetization law",
                      magnetics.law,
                      {{"Langevin", MagnetizationLaw::langevin},
-                      {"linear", MagnetizationLaw::linear}},
+                      {"linear", MagnetizationLaw::linear},
+                      {"table", MagnetizationLaw::table}},
                      "How all magnetic materials of the scene answer to the field.");
+    declarations.add("Magnetization curve",
+                     input.magnetization_curve,
+                     "A/m",
+                     "With Magnetization law = table: a file of lines 'H, M' [A/m], in the folder "
+                     "of the parameter file, H rising, M not falling.",
+                     Presence::optional);
     declarations.add("Temperature",
                      input.temperature,
                      "K",

@@ -86,6 +86,29 @@ namespace magmpm
       return magnetic;
     }
 
+    /** With the law table: the curve times a factor, or not magnetic. */
+    MagneticParameters
+    convert_curve(const ParameterRegister &declarations,
+                  const std::string &section,
+                  const double factor,
+                  const MagnetizationCurve &curve)
+    {
+      check_given(declarations,
+                  section,
+                  {},
+                  {"Saturation magnetization",
+                   "Initial susceptibility",
+                   "Grain moment",
+                   "Grain number density"},
+                  "Magnetization law = table");
+      if (!declarations.given(section + "/Curve factor"))
+        return {};
+      return checked(
+        declarations,
+        section + "/Curve factor",
+        {factor * curve.saturation_magnetization(), factor * curve.initial_susceptibility(), 0.});
+    }
+
     /** Saturation and susceptibility, or grains: at most one of these ways, and all of it. */
     MagneticParameters
     convert_magnetic(const ParameterRegister &declarations,
@@ -98,6 +121,8 @@ namespace magmpm
                                                    "Initial susceptibility"};
       const std::vector<std::string> grains     = {"Grain moment", "Grain number density"};
 
+      check_given(
+        declarations, section, {}, {"Curve factor"}, "this Magnetization law (not table)");
       const std::vector<std::string> given = given_of(declarations, section, saturation);
       if (!given_of(declarations, section, grains).empty())
         {
@@ -141,8 +166,12 @@ namespace magmpm
           convert_solid(declarations, section, input.materials[i], material);
         else
           convert_fluid(declarations, section, input.materials[i], material);
-        material.magnetic = convert_magnetic(
-          declarations, section, input.materials[i], parameters.magnetics.law, input.temperature);
+        if (parameters.magnetics.law == MagnetizationLaw::table)
+          material.magnetic = convert_curve(
+            declarations, section, input.materials[i].curve_factor, *parameters.magnetics.curve);
+        else
+          material.magnetic = convert_magnetic(
+            declarations, section, input.materials[i], parameters.magnetics.law, input.temperature);
         parameters.materials.push_back(material);
       }
   }

@@ -77,6 +77,13 @@ namespace magmpm
         "Grains n per volume of undeformed material, together with the grain moment.",
         positive,
         Presence::optional);
+      declarations.add("Curve factor",
+                       material.curve_factor,
+                       "-",
+                       "With Magnetization law = table: M of this material over that of the curve, "
+                       "its concentration for instance; not given: not magnetic.",
+                       positive,
+                       Presence::optional);
     }
   } // namespace
 

@@ -25,7 +25,8 @@ namespace magmpm
         return path.compare(0, start.size(), start) == 0;
       };
       return path == "Dimension" || begins_with("Box/") || begins_with("Bodies/") ||
-             begins_with("Materials/") || path == "Magnetics/Magnetization law";
+             begins_with("Materials/") || path == "Magnetics/Magnetization law" ||
+             path == "Magnetics/Magnetization curve";
     }
 
     std::string

@@ -180,6 +180,9 @@ namespace magmpm
                        positive);
       declarations.add("Particles", output.write_particles, "Whether particles are written.");
       declarations.add("Fields", output.write_fields, "Whether magnetic fields are written.");
+      declarations.add("Rigid bodies",
+                       output.write_rigid_bodies,
+                       "Whether the surfaces of magnets and rigid bodies are written.");
       declarations.add("Surface",
                        output.write_surface,
                        "Whether a surface around the particles of each body is written.");
@@ -220,6 +223,7 @@ namespace magmpm
   {
     parameters.bodies.resize(input.body_names.size());
     parameters.sources.resize(input.magnet_names.size());
+    parameters.rigid_bodies.resize(input.rigid_body_names.size());
     input.materials.resize(input.material_names.size());
 
     declare_scene(declarations, input, parameters);
@@ -257,8 +261,23 @@ namespace magmpm
           declare_source(declarations, parameters.sources[i]);
         }
     }
+    {
+      const auto section = declarations.enter("Rigid bodies");
+      declare_list(declarations,
+                   "List of rigid bodies",
+                   input.rigid_body_names,
+                   "Names of the rigid bodies that are not magnets; each has a subsection of its "
+                   "name here. Solid and free magnets are rigid bodies, too.");
+      for (std::size_t i = 0; i < parameters.rigid_bodies.size(); ++i)
+        {
+          parameters.rigid_bodies[i].name = input.rigid_body_names[i];
+          declare_rigid_body(declarations, parameters.rigid_bodies[i]);
+        }
+    }
     declare_walls(declarations, parameters.walls);
     declare_magnetics(declarations, input, parameters);
+    declare_attraction(declarations, input, parameters.attraction);
+    declare_rest(declarations, parameters.rest);
     declare_time_step(declarations, parameters.time_step);
     declare_runaway_limits(declarations, parameters.runaway_limits);
     declare_ranks(declarations, parameters.mesh.imbalance_threshold);

@@ -110,14 +110,18 @@ namespace magmpm
     void
     collect_warnings(const ParameterRegister &declarations, Parameters<dim> &parameters)
     {
-      const bool magnetic = parameters.mesh.carries_potential;
-      parameters.warnings = declarations.warnings();
+      const bool magnetic                      = parameters.mesh.carries_potential;
+      const std::vector<std::string> &left_out = declarations.warnings();
+      parameters.warnings.insert(parameters.warnings.begin(), left_out.begin(), left_out.end());
       if (magnetic && parameters.sources.empty())
         parameters.warnings.push_back(
           declarations.where("Magnets/List of magnets") +
           " is empty: there are magnetic bodies, but nothing magnetizes "
           "them.");
-      if (!magnetic && !parameters.sources.empty())
+      const bool any_is_free = std::any_of(parameters.sources.begin(),
+                                           parameters.sources.end(),
+                                           [](const auto &source) { return source.is_free; });
+      if (!magnetic && !parameters.sources.empty() && !any_is_free)
         parameters.warnings.push_back(declarations.where("Magnets/List of magnets") +
                                       " is not empty, but no body is magnetic: no magnet pulls.");
       for (const MaterialParameters &material : parameters.materials)
@@ -138,9 +142,11 @@ namespace magmpm
            Parameters<dim> &parameters)
   {
     check_box(declarations, input, parameters.lattice);
+    convert_magnetization_curve(declarations, input, parameters.magnetics);
     convert_materials(declarations, input, parameters);
     const auto body_shapes = check_bodies(declarations, input, parameters);
     check_sources(declarations, parameters, body_shapes);
+    check_rigid_bodies(declarations, body_shapes, parameters);
     check_times(declarations, parameters);
     convert_checkpoint(declarations, input, parameters.checkpoint);
 
@@ -149,6 +155,8 @@ namespace magmpm
       std::any_of(parameters.bodies.begin(), parameters.bodies.end(), [&](const auto &body) {
         return parameters.material_of(body).magnetic.is_magnetic();
       });
+    convert_attraction(declarations, input, parameters);
+    check_rest(declarations, parameters);
     collect_warnings(declarations, parameters);
   }
 

@@ -72,9 +72,10 @@ namespace magmpm
   read_parameters(const ParameterFile &file)
   {
     ParameterInput<dim> input;
-    input.body_names     = names_in_list(file, "Bodies/List of bodies");
-    input.material_names = names_in_list(file, "Materials/List of materials");
-    input.magnet_names   = names_in_list(file, "Magnets/List of magnets");
+    input.body_names       = names_in_list(file, "Bodies/List of bodies");
+    input.material_names   = names_in_list(file, "Materials/List of materials");
+    input.magnet_names     = names_in_list(file, "Magnets/List of magnets");
+    input.rigid_body_names = names_in_list(file, "Rigid bodies/List of rigid bodies");
 
     Parameters<dim> parameters;
     ParameterRegister declarations;

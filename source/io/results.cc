@@ -3,6 +3,7 @@
 
 #include <magmpm/io/field_output.h>
 #include <magmpm/io/results.h>
+#include <magmpm/io/rigid_body_columns.h>
 #include <magmpm/io/statistics_columns.h>
 
 #include <cmath>
@@ -65,7 +66,7 @@ namespace magmpm
     ParticleQuantity
     written_quantity(const std::string &name,
                      const std::vector<Body<dim>> &bodies,
-                     const MagnetizationLaw law)
+                     const MagnetizationModel &law)
     {
       const auto fill = [&](const std::string &unit, const int n_components, const auto &value) {
         ParticleQuantity quantity;
@@ -120,7 +121,9 @@ namespace magmpm
               progress != nullptr)
     , statistics(communicator,
                  parameters.output.directory + "/statistics.csv",
-                 statistics_columns<dim>(names_of_bodies(parameters), phases),
+                 statistics_columns<dim>(names_of_bodies(parameters),
+                                         phases,
+                                         rigid_body_columns(parameters)),
                  progress != nullptr ? progress->statistics_size : 0)
     , particle_output(communicator, parameters.output.directory)
   {
@@ -137,7 +140,8 @@ namespace magmpm
       field_output->frames().resume(progress->field_frames);
     if (surface_output != nullptr)
       surface_output->frames().resume(progress->surface_frames);
-    solves_before = progress->n_solves;
+    earlier_rigid_body_frames = progress->rigid_body_frames;
+    solves_before             = progress->n_solves;
   }
 
   template <int dim>
@@ -151,7 +155,9 @@ namespace magmpm
       progress.field_frames = field_output->frames().frames();
     if (surface_output != nullptr)
       progress.surface_frames = surface_output->frames().frames();
-    progress.n_solves = solves_before;
+    progress.rigid_body_frames = rigid_body_output != nullptr ? rigid_body_output->frames().frames()
+                                                              : earlier_rigid_body_frames;
+    progress.n_solves          = solves_before;
     return progress;
   }
 
@@ -200,7 +206,7 @@ namespace magmpm
       for (std::size_t p = 0; p < body.particles.size(); ++p)
         positions.push_back(body.particles.position(p));
     for (const std::string &name : parameters.output.particle_quantities)
-      quantities.push_back(written_quantity(name, bodies, parameters.magnetics.law));
+      quantities.push_back(written_quantity(name, bodies, parameters.magnetics.model()));
     particle_output.write_frame(state.frame, state.time, positions, quantities);
   }
 
@@ -219,6 +225,27 @@ namespace magmpm
                              const ExternalField<dim> &sources)
   {
     field_output->write_frame(state.frame, state.time, potential, sources);
+  }
+
+  template <int dim>
+  void
+  Results<dim>::write_rigid_bodies(const RunState &state,
+                                   const ExternalField<dim> &sources,
+                                   const RigidBodies<dim> &bodies)
+  {
+    if (!parameters.output.write_rigid_bodies)
+      return;
+    if (rigid_body_output == nullptr)
+      {
+        rigid_body_output =
+          std::make_unique<RigidBodyOutput<dim>>(communicator,
+                                                 parameters.output.directory,
+                                                 sources,
+                                                 bodies,
+                                                 0.5 * parameters.lattice.spacing);
+        rigid_body_output->frames().resume(earlier_rigid_body_frames);
+      }
+    rigid_body_output->write_frame(state.frame, state.time);
   }
 
   template <int dim>
@@ -243,7 +270,9 @@ namespace magmpm
   Results<dim>::write_statistics(const RunState &state,
                                  const std::vector<ParticleSums<dim>> &sums,
                                  const double fewest_particles,
-                                 const std::map<std::string, double> &seconds)
+                                 const std::map<std::string, double> &seconds,
+                                 const RigidBodies<dim> &rigid_bodies,
+                                 const std::vector<ForceAndTorque<dim>> &forces)
   {
     ParticleSums<dim> total;
     for (const ParticleSums<dim> &sum : sums)
@@ -281,6 +310,7 @@ namespace magmpm
         statistics.set(body_column(body, "magnetic force"), sums[b].magnetic_force);
         statistics.set(body_column(body, "magnetic moment"), sums[b].magnetic_moment);
       }
+    set_rigid_body_columns(parameters, rigid_bodies, forces, state, statistics);
     const bool solved = state.solved_this_step;
     statistics.set("magnetic solves", state.n_solves);
     statistics.set("Newton steps", solved ? solve.newton.steps : 0);

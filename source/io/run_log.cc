@@ -51,6 +51,9 @@ namespace magmpm
       const std::string susceptibility = three_digits(magnetic.initial_susceptibility);
       if (body.magnetization_law == MagnetizationLaw::linear)
         return "linear, chi = " + susceptibility;
+      if (body.magnetization_law == MagnetizationLaw::table)
+        return "from a curve, chi_0 = " + susceptibility + ", saturation " +
+               with_prefix(magnetic.saturation_magnetization, "A/m");
       return "Langevin, chi_0 = " + susceptibility + ", saturation " +
              with_prefix(magnetic.saturation_magnetization, "A/m");
     }

@@ -27,21 +27,23 @@ namespace magmpm
       static constexpr const char *force            = "N";
       static constexpr const char *magnetic_moment  = "A m^2";
     };
-
-    void
-    add_vector(std::vector<StatisticsColumn> &columns,
-               const std::string &name,
-               const int n_components,
-               const std::string &unit)
-    {
-      for (int i = 0; i < n_components; ++i)
-        columns.push_back({name + ' ' + component_letter(i, n_components), unit});
-    }
   } // namespace
+
+  void
+  add_vector(std::vector<StatisticsColumn> &columns,
+             const std::string &name,
+             const int n_components,
+             const std::string &unit)
+  {
+    for (int i = 0; i < n_components; ++i)
+      columns.push_back({name + ' ' + component_letter(i, n_components), unit});
+  }
 
   template <int dim>
   std::vector<StatisticsColumn>
-  statistics_columns(const std::vector<std::string> &bodies, const std::vector<std::string> &phases)
+  statistics_columns(const std::vector<std::string> &bodies,
+                     const std::vector<std::string> &phases,
+                     const std::vector<StatisticsColumn> &rigid)
   {
     using Unit = Units<dim>;
 
@@ -77,6 +79,7 @@ namespace magmpm
         add_vector(columns, body_column(body, "magnetic moment"), dim, Unit::magnetic_moment);
       }
 
+    columns.insert(columns.end(), rigid.begin(), rigid.end());
     columns.insert(columns.end(),
                    {{"magnetic solves", ""},
                     {"Newton steps", ""},
@@ -93,7 +96,11 @@ namespace magmpm
   }
 
   template std::vector<StatisticsColumn>
-  statistics_columns<2>(const std::vector<std::string> &, const std::vector<std::string> &);
+  statistics_columns<2>(const std::vector<std::string> &,
+                        const std::vector<std::string> &,
+                        const std::vector<StatisticsColumn> &);
   template std::vector<StatisticsColumn>
-  statistics_columns<3>(const std::vector<std::string> &, const std::vector<std::string> &);
+  statistics_columns<3>(const std::vector<std::string> &,
+                        const std::vector<std::string> &,
+                        const std::vector<StatisticsColumn> &);
 } // namespace magmpm

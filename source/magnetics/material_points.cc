@@ -29,7 +29,7 @@ namespace magmpm
                                       const MagneticsParameters<dim> &parameters)
     : partition(partition)
     , lattice(mesh.lattice())
-    , law(parameters.law)
+    , law(parameters.model())
     , is_sharp(parameters.indicator == MaterialIndicator::sharp)
     , shielded(parameters.shielded)
     , the_stencil(mesh.parameters().cell_edge)
@@ -232,8 +232,9 @@ namespace magmpm
         point.content.saturation_magnetization = density * lanes[saturation];
         point.content.initial_susceptibility   = density * lanes[susceptibility];
         point.number_density                   = density * lanes[grains];
-        point.field                            = sources.field(position);
-        point.gradient                         = sources.field_gradient(position);
+        sources.check_material_at(position);
+        point.field    = sources.field(position);
+        point.gradient = sources.field_gradient(position);
       }
     add_magnetized_weight(cell);
   }

@@ -9,7 +9,8 @@ namespace magmpm
     enum class Image
     {
       add,
-      copy
+      copy,
+      add_vector
     };
 
     /**
@@ -27,23 +28,29 @@ namespace magmpm
     {
       const int below  = blocks.neighbours(slot)[n_neighbours<dim> / 2 - power(3, axis)];
       const int stride = power(block_edge, axis);
+      const bool adds  = (image != Image::copy);
+      std::array<double, n_lanes> sign; // of the image of a lane
+      sign.fill(1.);
+      if (image == Image::add_vector)
+        sign[axis] = -1.;
       for (int node = 0; node < nodes_per_block<dim>; ++node)
         {
           const int place = node / stride % block_edge;
           double *lanes   = field.node(slot, node);
           if (place == 0)
-            for (int lane = 0; lane < n_lanes && image == Image::add; ++lane)
-              lanes[lane] *= 2.;
+            for (int lane = 0; lane < n_lanes && adds; ++lane)
+              lanes[lane] += sign[lane] * lanes[lane];
           else if (below != invalid_slot)
             {
               // Node -place is node 4 - place of the block below.
               double *opposite = field.node(below, node + (block_edge - 2 * place) * stride);
               for (int lane = 0; lane < n_lanes; ++lane)
                 {
-                  double value = (is_in_front ? lanes : opposite)[lane];
-                  if (image == Image::add && place == 1)
-                    value = lanes[lane] + opposite[lane];
-                  lanes[lane] = opposite[lane] = value;
+                  double &front  = (is_in_front ? lanes : opposite)[lane];
+                  double &behind = (is_in_front ? opposite : lanes)[lane];
+                  if (adds && place == 1)
+                    front += sign[lane] * behind;
+                  behind = sign[lane] * front;
                 }
             }
         }
@@ -96,15 +103,29 @@ namespace magmpm
     reflect(partition, lattice, shielded, Image::copy, field);
   }
 
-#define MAGMPM_INSTANTIATE(dim)                                       \
-  template void add_mirror_images(const BlockPartition<dim> &,        \
-                                  const Lattice<dim> &,               \
-                                  const std::array<bool, 2 * dim> &,  \
-                                  NodeField<dim> &);                  \
-  template void copy_mirror_images(const BlockPartition<dim> &,       \
-                                   const Lattice<dim> &,              \
-                                   const std::array<bool, 2 * dim> &, \
-                                   NodeField<dim> &);
+  template <int dim>
+  void
+  add_mirror_images_of_vector(const BlockPartition<dim> &partition,
+                              const Lattice<dim> &lattice,
+                              const std::array<bool, 2 * dim> &shielded,
+                              NodeField<dim> &field)
+  {
+    reflect(partition, lattice, shielded, Image::add_vector, field);
+  }
+
+#define MAGMPM_INSTANTIATE(dim)                                                \
+  template void add_mirror_images(const BlockPartition<dim> &,                 \
+                                  const Lattice<dim> &,                        \
+                                  const std::array<bool, 2 * dim> &,           \
+                                  NodeField<dim> &);                           \
+  template void copy_mirror_images(const BlockPartition<dim> &,                \
+                                   const Lattice<dim> &,                       \
+                                   const std::array<bool, 2 * dim> &,          \
+                                   NodeField<dim> &);                          \
+  template void add_mirror_images_of_vector(const BlockPartition<dim> &,       \
+                                            const Lattice<dim> &,              \
+                                            const std::array<bool, 2 * dim> &, \
+                                            NodeField<dim> &);
 
   MAGMPM_INSTANTIATE(2)
   MAGMPM_INSTANTIATE(3)

@@ -4,6 +4,7 @@
 #include <magmpm/base/constants.h>
 #include <magmpm/magnetics/force_handover.h>
 #include <magmpm/magnetics/magnetic_force.h>
+#include <magmpm/magnetics/mirror_images.h>
 #include <magmpm/magnetics/open_boundary.h>
 #include <magmpm/magnetics/potential_operator.h>
 #include <magmpm/magnetics/potential_problem.h>
@@ -335,6 +336,9 @@ namespace magmpm
     const Implementation &problem = *implementation;
     const dealii::TimerOutput::Scope section(problem.timer, "Compute magnetic force");
     compute_split_force(problem.solution, problem.material, problem.partition, force);
+    // The quadrature ends at a mirror, where stress does not: the force needs that of both sides.
+    add_mirror_images_of_vector(
+      problem.partition, problem.mesh.lattice(), problem.parameters.shielded, force);
     Vector<dim> dropped = hand_force_inward(problem.partition, mass, force);
     problem.partition.update_ghosts(force);
     for (int d = 0; d < dim; ++d)

@@ -1,8 +1,11 @@
+#include <magmpm/base/exceptions.h>
 #include <magmpm/magnets/external_field.h>
-#include <magmpm/magnets/uniform_field.h>
+#include <magmpm/magnets/make_source.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <sstream>
 
 namespace magmpm
 {
@@ -10,20 +13,13 @@ namespace magmpm
   ExternalField<dim>::ExternalField(const std::vector<SourceParameters<dim>> &parameters)
   {
     for (const SourceParameters<dim> &source : parameters)
-      switch (source.type)
-        {
-          case SourceType::uniform_field:
-            all_sources.push_back(std::make_unique<UniformField<dim>>(source));
-            break;
-          case SourceType::magnetized_sphere:
-            {
-              auto sphere = std::make_unique<MagnetizedSphere<dim>>(source);
-              if (sphere->contact() != ContactCondition::none)
-                solids.push_back(sphere.get());
-              all_sources.push_back(std::move(sphere));
-              break;
-            }
-        }
+      {
+        all_sources.push_back(make_source(source));
+        if (all_sources.back()->contact() != ContactCondition::none)
+          solids.push_back(all_sources.back().get());
+        if (all_sources.back()->refuses_material())
+          refusing.push_back(all_sources.back().get());
+      }
   }
 
   template <int dim>
@@ -55,11 +51,54 @@ namespace magmpm
   }
 
   template <int dim>
+  Vector<dim>
+  ExternalField<dim>::magnetization(const Vector<dim> &point) const
+  {
+    Vector<dim> sum;
+    for (const auto &source : all_sources)
+      sum += source->magnetization(point);
+    return sum;
+  }
+
+  template <int dim>
   bool
   ExternalField<dim>::is_solid(const Vector<dim> &point) const
   {
-    return std::any_of(solids.begin(), solids.end(), [&](const MagnetizedSphere<dim> *sphere) {
-      return norm_square(point - sphere->centre()) < sphere->radius() * sphere->radius();
+    return std::any_of(solids.begin(), solids.end(), [&](const MagneticSource<dim> *source) {
+      return source->shape()->contains(source->pose().to_own(point));
+    });
+  }
+
+  template <int dim>
+  void
+  ExternalField<dim>::check_material_at(const Vector<dim> &point) const
+  {
+    for (const MagneticSource<dim> *source : refusing)
+      if (source->shape()->contains(source->pose().to_own(point)))
+        {
+          std::ostringstream place;
+          for (int d = 0; d < dim; ++d)
+            place << (d == 0 ? "" : ", ") << point[d];
+          throw RunError("Magnetic material came to " + place.str() +
+                         " m, inside of the core of the point dipole '" + source->name() +
+                         "', where its field has no meaning. Keep them apart, make its Radius "
+                         "smaller, or take a magnetized sphere, which may be solid (Contact).");
+        }
+  }
+
+  template <int dim>
+  std::optional<ForceAndTorque<dim>>
+  ExternalField<dim>::force_and_torque(const MagneticSource<dim> &source) const
+  {
+    return source.force_and_torque([&](const Vector<dim> &point) {
+      LocalField<dim> sum;
+      for (const auto &other : all_sources)
+        if (other.get() != &source)
+          {
+            sum.field += other->field(point);
+            sum.gradient += other->field_gradient(point);
+          }
+      return sum;
     });
   }
 
@@ -87,7 +126,7 @@ namespace magmpm
   {
     remembered.clear();
     for (const auto &source : all_sources)
-      remembered.push_back({source->strength(), source->centre()});
+      remembered.push_back({source->strength(), source->pose()});
     has_remembered = true;
   }
 
@@ -101,15 +140,26 @@ namespace magmpm
     Change change = {0., 0.};
     for (std::size_t s = 0; s < all_sources.size(); ++s)
       {
-        const Vector<dim> now = all_sources[s]->strength();
-        const double scale    = std::max(norm(now), norm(remembered[s].strength));
+        const MagneticSource<dim> &source = *all_sources[s];
+        const Vector<dim> now = source.strength(), then = remembered[s].strength;
+        const double scale = std::max(norm(now), norm(then));
         // A source that is off now and then did not change, wherever it went meanwhile.
         if (scale == 0.)
           continue;
-        change.relative_strength = std::max(change.relative_strength,
-                                            norm(now - remembered[s].strength) / scale);
-        change.displacement      = std::max(change.displacement,
-                                       norm(all_sources[s]->centre() - remembered[s].centre));
+        // 2 sin(a/2) for a rotation by the angle a, of the whole source or of its axis.
+        const double turn =
+          source.is_axisymmetric()
+            ? (norm(now) > 0. && norm(then) > 0.
+                 ? norm((1. / norm(now)) * now - (1. / norm(then)) * then)
+                 : 0.)
+            : frobenius_norm(source.pose().rotation + (-1.) * remembered[s].pose.rotation) /
+                std::sqrt(2.);
+        change.relative_strength = std::max(change.relative_strength, norm(now - then) / scale);
+        if (!source.is_axisymmetric())
+          change.relative_strength = std::max(change.relative_strength, turn);
+        change.displacement = std::max(change.displacement,
+                                       norm(source.pose().position - remembered[s].pose.position) +
+                                         turn * source.reach());
       }
     return change;
   }

@@ -17,9 +17,6 @@ namespace magmpm
 {
   namespace
   {
-    /** Half the interval of the difference quotient of velocity() [s]. */
-    constexpr double half_interval = 1e-6;
-
     /** Splits at semicolons, and at commas that are not between the arguments of a function. */
     std::vector<std::string>
     split_components(const std::string &expression)
@@ -71,6 +68,8 @@ namespace magmpm
     std::string
     advice()
     {
+      if (dim == 1)
+        return "one expression of the time t [s], such as '0.2 + 0.1*t'";
       return std::to_string(dim) +
              " expressions of the time t [s], separated by semicolons, such as '" +
              (dim == 3 ? "0.5; 0.5; 0.2 + 0.1*t" : "0.5; 0.2 + 0.1*t") + "'";
@@ -185,18 +184,7 @@ namespace magmpm
     return result;
   }
 
-  template <int dim>
-  Vector<dim>
-  MotionScript<dim>::velocity(const double time) const
-  {
-    if (constant)
-      return {};
-    const double middle = std::max(time, half_interval);
-    const double before = middle - half_interval;
-    const double after  = middle + half_interval;
-    return (1. / (after - before)) * (value(after) - value(before));
-  }
-
+  template class MotionScript<1>;
   template class MotionScript<2>;
   template class MotionScript<3>;
 } // namespace magmpm

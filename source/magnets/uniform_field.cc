@@ -11,7 +11,7 @@ namespace magmpm
     if (parameters.contact != ContactCondition::none)
       throw InputError("Source '" + parameters.name +
                        "' is a uniform field, which has no surface, but has a contact condition. "
-                       "Only a magnetized sphere can be solid: set the contact to none.");
+                       "Set it to none.");
     set_time(0.);
   }
 
@@ -51,10 +51,24 @@ namespace magmpm
   }
 
   template <int dim>
-  Vector<dim>
-  UniformField<dim>::centre() const
+  const Pose<dim> &
+  UniformField<dim>::pose() const
   {
-    return {};
+    return origin;
+  }
+
+  template <int dim>
+  const RigidMotion<dim> &
+  UniformField<dim>::motion() const
+  {
+    return rest;
+  }
+
+  template <int dim>
+  void
+  UniformField<dim>::set_pose(const Pose<dim> & /*pose*/, const RigidMotion<dim> & /*motion*/)
+  {
+    throw RunError("The uniform field '" + this->name() + "' has no place and cannot be moved.");
   }
 
   template class UniformField<2>;

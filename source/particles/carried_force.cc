@@ -76,11 +76,23 @@ namespace magmpm
                   0.);
   }
 
+  template <int dim>
+  void
+  drop_carried_force(Body<dim> &body)
+  {
+    for (const ParticleProperty property : {ParticleProperty::magnetic_acceleration,
+                                            ParticleProperty::magnetic_acceleration_rate,
+                                            ParticleProperty::magnetic_field})
+      for (int d = 0; d < dim && body.magnetic.is_magnetic(); ++d)
+        std::fill_n(body.particles.component(property, d), body.particles.size(), 0.);
+  }
+
 #define INSTANTIATE(dim)                                                   \
   template void recall_carried_force<dim>(const double, Body<dim> &);      \
   template void set_rate_of_carried_force<dim>(const double, Body<dim> &); \
   template void advance_carried_force<dim>(const double, Body<dim> &);     \
-  template void hold_carried_force<dim>(const double, Body<dim> &);
+  template void hold_carried_force<dim>(const double, Body<dim> &);        \
+  template void drop_carried_force<dim>(Body<dim> &);
 
   INSTANTIATE(2)
   INSTANTIATE(3)

@@ -24,7 +24,7 @@ namespace magmpm
     template <int dim, typename Number>
     Vector<dim, Number>
     diluted_magnetization(const MagneticParameters &magnetic,
-                          const MagnetizationLaw law,
+                          const MagnetizationModel &law,
                           const Number volume_ratio,
                           const Vector<dim, Number> &field)
     {
@@ -58,7 +58,7 @@ namespace magmpm
       double affine_factor; ///< dx^2/4 [m^2]
       Vector<dim> gravity;
       MagneticParameters magnetic;
-      MagnetizationLaw magnetization_law;
+      MagnetizationModel magnetization_law;
     };
 
     /** Adds the magnetics of the particles at @p place; extremes of speeds and fields are squares. */
@@ -200,7 +200,7 @@ namespace magmpm
 
   template <int dim>
   Vector<dim>
-  particle_magnetization(const Body<dim> &body, const MagnetizationLaw law, const std::size_t p)
+  particle_magnetization(const Body<dim> &body, const MagnetizationModel &law, const std::size_t p)
   {
     if (!body.magnetic.is_magnetic())
       return {};
@@ -215,7 +215,7 @@ namespace magmpm
   particle_sums(const Body<dim> &body,
                 const Lattice<dim> &lattice,
                 const Vector<dim> &gravity,
-                const MagnetizationLaw magnetization_law)
+                const MagnetizationModel &magnetization_law)
   {
     constexpr std::size_t width = SimdDouble::n_lanes;
     const auto particles        = body.particles.arrays();
@@ -265,14 +265,15 @@ namespace magmpm
     return std::sqrt(longest_square);
   }
 
-#define INSTANTIATE(dim)                                                                         \
-  template struct ParticleSums<dim>;                                                             \
-  template ParticleSums<dim> particle_sums(                                                      \
-    const Body<dim> &, const Lattice<dim> &, const Vector<dim> &, MagnetizationLaw);             \
-  template Vector<dim> particle_magnetization(const Body<dim> &, MagnetizationLaw, std::size_t); \
-  template void remember_positions(Body<dim> &);                                                 \
-  template double way_since_solve(const Body<dim> &);                                            \
-  template double particle_volume_ratio(const Body<dim> &, std::size_t);                         \
+#define INSTANTIATE(dim)                                                                       \
+  template struct ParticleSums<dim>;                                                           \
+  template ParticleSums<dim> particle_sums(                                                    \
+    const Body<dim> &, const Lattice<dim> &, const Vector<dim> &, const MagnetizationModel &); \
+  template Vector<dim> particle_magnetization(                                                 \
+    const Body<dim> &, const MagnetizationModel &, std::size_t);                               \
+  template void remember_positions(Body<dim> &);                                               \
+  template double way_since_solve(const Body<dim> &);                                          \
+  template double particle_volume_ratio(const Body<dim> &, std::size_t);                       \
   template double particle_von_mises_stress(const Body<dim> &, std::size_t);
 
   INSTANTIATE(2)

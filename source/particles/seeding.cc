@@ -122,7 +122,7 @@ namespace magmpm
                  Body<dim> &body)
   {
     const std::uint64_t first_id = static_cast<std::uint64_t>(body_number) << 40;
-    const double volume          = std::pow(lattice.spacing / parameters.particles_per_edge, dim);
+    const double volume          = parameters.particle_volume(lattice);
     if (parameters.shape.type == ShapeType::points)
       return seed_points(parameters, volume, first_id, rank, n_ranks, body.particles);
 
@@ -140,14 +140,18 @@ namespace magmpm
           const std::uint64_t id = first_id + row * row_length + i;
           Vector<dim> position;
           std::uint64_t rest = row;
+          int sum_of_places  = 0;
           for (int d = 0; d < dim; ++d)
             {
               const int place = places.first[d] +
                                 static_cast<int>(d == 0 ? i : rest % places.count[d]);
               if (d > 0)
                 rest /= places.count[d];
+              sum_of_places += place;
               position[d] = lattice.lower_corner[d] + places.spacing * (place + 0.5);
             }
+          if (parameters.arrangement == Arrangement::face_centred && sum_of_places % 2 != 0)
+            continue;
           // Inside or not is asked of the regular place, so that jitter does not change how many.
           if (!shape->contains(position))
             continue;

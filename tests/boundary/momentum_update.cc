@@ -2,6 +2,8 @@
 
 #include "catch.h"
 
+#include <cmath>
+
 using namespace magmpm;
 
 namespace
@@ -17,16 +19,18 @@ namespace
 
   /** The velocity and mass of one node after the update, with sticking walls and gravity -10. */
   std::array<double, n_lanes>
-  updated(const Index<2> &node, const std::array<double, n_lanes> &momentum_and_mass)
+  updated(const Index<2> &node,
+          const std::array<double, n_lanes> &momentum_and_mass,
+          const double damping_rate = 0.)
   {
     const BlockSet<2> blocks({{0, 0}, {1, 0}}, 1); // the second is a ghost
-    const ExternalField<2> no_sources({});
-    const LatticeBoundary<2> boundary(test_lattice(), WallParameters<2>(), no_sources);
+    const std::vector<RigidBody<2>> no_bodies;
+    const LatticeBoundary<2> boundary(test_lattice(), WallParameters<2>(), no_bodies);
     NodeField<2> field;
     field.reinit(blocks.size());
     double *lanes = field.node(blocks.slot(block_of<2>(node)), (node[0] & 3) + 4 * (node[1] & 3));
     std::copy(momentum_and_mass.begin(), momentum_and_mass.end(), lanes);
-    update_lattice_momentum(blocks, boundary, {{0., -10.}}, 0.01, 1., field);
+    update_lattice_momentum(blocks, boundary, {{0., -10.}}, 0.01, damping_rate, 1., field);
     return {lanes[0], lanes[1], lanes[2], lanes[3]};
   }
 } // namespace
@@ -40,6 +44,15 @@ TEST_CASE("momentum becomes velocity, with gravity and walls", "[boundary]")
   CHECK(inside[1] == Approx(3. - 0.1));
   CHECK(inside[3] == 2.);
   CHECK(updated({0, 2}, {4., 6., 0., 2.}) == std::array<double, n_lanes>{0., 0., 0., 2.});
+}
+
+TEST_CASE("damping takes its part of the velocity", "[boundary]")
+{
+  // dv/dt = -rate v over a step is a factor of exp(-rate dt), on what gravity gave in it too.
+  const auto damped = updated({1, 2}, {4., 6., 0., 2.}, 30.);
+  CHECK(damped[0] == Approx(2. * std::exp(-0.3)));
+  CHECK(damped[1] == Approx(2.9 * std::exp(-0.3)));
+  CHECK(damped[3] == 2.);
 }
 
 TEST_CASE("nodes with next to no mass rest, others are divided by what they have", "[boundary]")

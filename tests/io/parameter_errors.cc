@@ -331,6 +331,114 @@ TEST_CASE("Messages on magnets", "[io]")
         "Magnets/magnet/Contact = slip: a uniform field has no surface; set it to none.");
 }
 
+// Each kind of source takes its own parameters, which are all it takes.
+TEST_CASE("Messages on the kinds of magnets", "[io]")
+{
+  const std::vector<std::string> no_sphere = {"Magnets/magnet/Radius=",
+                                              "Magnets/magnet/Position=0.5; 0.5; 0.1"};
+  const auto message_of_kind = [&](const std::string &kind, std::vector<std::string> others) {
+    others.insert(others.begin(), no_sphere.begin(), no_sphere.end());
+    return message_with("Magnets/magnet/Type=" + kind, others);
+  };
+  const std::string magnet = "Magnets/magnet/", none = magnet + "Contact=none",
+                    unmagnetized = magnet + "Magnetization=";
+  CHECK(message_of_kind("cuboid", {magnet + "Size=0.1, 0.1, 0.1"}) == "");
+  CHECK(message_of_kind("cuboid", {}) ==
+        "Magnets/magnet/Size is not given: Type = cuboid needs it.");
+  CHECK(message_of_kind("cuboid", {magnet + "Size=0.1, 0, 0.1"}) ==
+        "Magnets/magnet/Size = 0.1, 0, 0.1: all edges must be greater than 0.");
+  CHECK(
+    message_of_kind("cuboid", {magnet + "Size=0.1, 0.1, 0.1", magnet + "Length=1"}) ==
+    "Magnets/magnet/Length = 1: Type = cuboid does not use it; remove this line or change that.");
+  CHECK(message_of_kind("cuboid", {magnet + "Size=0.1, 0.1, 0.1", unmagnetized})
+          .rfind("Magnets/magnet/Magnetization is not given: Type = cuboid needs it. Or give "
+                 "Remanence, mu_0 times as much [T].",
+                 0) == 0);
+  CHECK(message_of_kind("cuboid", {magnet + "Size=0.1, 0.1, 0.1", magnet + "Remanence=0; 0; 1"}) ==
+        "Magnets/magnet/Remanence = 0; 0; 1: the magnetization is given in two ways. Give either "
+        "Magnetization or Remanence.");
+  CHECK(message_of_kind("cylinder",
+                        {magnet + "Radius=0.1", magnet + "Length=0.1", magnet + "Axis=0, 0, 0"}) ==
+        "Magnets/magnet/Axis = 0, 0, 0: it must have a length greater than 0.");
+  CHECK(
+    message_of_kind("current loop",
+                    {none,
+                     unmagnetized,
+                     magnet + "Radius=0.1",
+                     magnet + "Current=3",
+                     magnet + "Conductor radius=0.2"}) ==
+    "Magnets/magnet/Conductor radius = 0.2: it must be smaller than the Radius of the loop (0.1 "
+    "m).");
+  CHECK(message_of_kind("straight wire",
+                        {unmagnetized, magnet + "Current=3", magnet + "Conductor radius=0.2"}) ==
+        "cube.prm, line 30: Magnets/magnet/Contact = separate: a straight wire has no surface; set "
+        "it to none.");
+  CHECK(
+    message_of_kind("point dipole", {none, magnet + "Moment=0; 0; 1", magnet + "Radius=0.01"}) ==
+    "cube.prm, line 28: Magnets/magnet/Magnetization = 0; 0; 1e6: Type = point dipole does not "
+    "use it; remove this line or change that.");
+  CHECK(message_of_kind("magnetized mesh", {magnet + "File=nowhere.stl"})
+          .find("Magnets/magnet/File = nowhere.stl: there is no such file") != std::string::npos);
+}
+
+TEST_CASE("Messages on the motion of magnets", "[io]")
+{
+  const std::string magnet = "Magnets/magnet/";
+  CHECK(message_with(magnet + "Rotation=0; 0; t", {magnet + "Strength=1 - t"}) == "");
+  CHECK(message_with(magnet + "Key frames=0, 0.5, 0.5, 0.25; 1, 0.5, 0.5, 0.2",
+                     {magnet + "Position="}) == "");
+  CHECK(message_with(magnet + "Position=") ==
+        "Magnets/magnet/Position is not given: Type = magnetized sphere needs it, or Key frames.");
+  CHECK(message_with(magnet + "Key frames=0, 0.5, 0.5, 0.25") ==
+        "cube.prm, line 27: Magnets/magnet/Position = 0.5; 0.5; 0.25: Key frames say this already. "
+        "Give either of them.");
+  CHECK(message_with(magnet + "Key frames=0, 0.5, 0.5", {magnet + "Position="})
+          .find("Magnets/magnet/Key frames: the row '0, 0.5, 0.5' has 3 numbers.") !=
+        std::string::npos);
+  CHECK(message_with(magnet + "Key frames=nowhere.csv", {magnet + "Position="})
+          .find("Magnets/magnet/Key frames = nowhere.csv: there is no such file") !=
+        std::string::npos);
+  CHECK(message_with(magnet + "Interpolation=smooth") ==
+        "Magnets/magnet/Interpolation = smooth: it is used between Key frames only, which are not "
+        "given.");
+  CHECK(message_with(magnet + "Rotation=0; t")
+          .find("Magnets/magnet/Rotation: '0; t' has 2 components, not 3.") != std::string::npos);
+  CHECK(
+    message_with(magnet + "Strength=1; 2")
+      .find(
+        "Magnets/magnet/Strength: '1; 2' has 2 components, not 1. Give one expression of the time "
+        "t [s], such as '0.2 + 0.1*t'.") != std::string::npos);
+  CHECK(message_with(magnet + "Friction=0.2", {magnet + "Contact=stick"}) ==
+        "Magnets/magnet/Friction = 0.2: there is friction with Contact = slip or separate only.");
+}
+
+// The cube begins at z = 0.5. Bars and a cylinder reach into it only as they are turned.
+TEST_CASE("Messages on magnets inside of bodies", "[io]")
+{
+  const std::string magnet           = "Magnets/magnet/";
+  const std::vector<std::string> bar = {
+    magnet + "Radius=", magnet + "Size=0.5, 0.1, 0.1", magnet + "Position=0.5; 0.5; 0.3"};
+  CHECK(message_with(magnet + "Type=cuboid", bar) == "");
+  std::vector<std::string> upright = bar;
+  upright.push_back(magnet + "Rotation=0; pi/2; 0");
+  CHECK(
+    message_with(magnet + "Type=cuboid", upright) ==
+    "Magnets/magnet/Position = 0.5; 0.5; 0.3: this solid magnet (at 0.5, 0.5, 0.3 m) overlaps the "
+    "body 'cube' at the start. Move one of them, or set Magnets/magnet/Contact = none.");
+  upright.push_back(magnet + "Contact=none");
+  CHECK(message_with(magnet + "Type=cuboid", upright) == "");
+  CHECK(
+    message_with(magnet + "Type=point dipole",
+                 {magnet + "Contact=none",
+                  magnet + "Magnetization=",
+                  magnet + "Moment=0; 0; 1",
+                  magnet + "Position=0.5; 0.5; 0.49",
+                  magnet + "Radius=0.02"}) ==
+    "Magnets/magnet/Position = 0.5; 0.5; 0.49: the core of this dipole (radius 0.02 m, at 0.5, "
+    "0.5, 0.49 m) overlaps the body 'cube' by 0.01 m at the start. Move one of them, or make its "
+    "Radius smaller.");
+}
+
 TEST_CASE("Messages on the time step", "[io]")
 {
   CHECK(message_with("Time step/Time step=1") ==
@@ -378,10 +486,86 @@ end
     message_on(text, {"Bodies/disc/Length=1"}) ==
     "--set \"Bodies/disc/Length=1\": there is no parameter 'Length' in subsection Bodies/disc: a "
     "cylinder needs Dimension = 3.");
+  const std::vector<std::string> wire = {"Magnets/List of magnets=w",
+                                         "Magnets/w/Type=straight wire",
+                                         "Magnets/w/Current=1",
+                                         "Magnets/w/Conductor radius=0.01",
+                                         "Magnets/w/Position=0.1; 0.1"};
+  const auto with_wire                = [&](const std::string &more) {
+    std::vector<std::string> all = wire;
+    all.push_back(more);
+    return message_on(text, all);
+  };
+  CHECK(message_on(text, wire) == "");
+  CHECK(with_wire("Magnets/w/Length=1") ==
+        "--set \"Magnets/w/Length=1\": there is no parameter 'Length' in subsection Magnets/w: a "
+        "wire has no ends in 2D, and a cylinder needs Dimension = 3.");
+  CHECK(with_wire("Magnets/w/Rotation=t")
+          .find("Magnets/w/Rotation = t: a wire, which is along z in 2D, does not use it") !=
+        std::string::npos);
+  CHECK(with_wire("Magnets/w/Type=current loop")
+          .find("must be one of: uniform field, point dipole, magnetized sphere, cuboid, straight "
+                "wire. (Kind of source (doc/magnets.md).") != std::string::npos);
   CHECK(message_on(text, {"Walls/Lower z=slip"}) ==
         "--set \"Walls/Lower z=slip\": there is no parameter 'Lower z' in subsection Walls: this "
         "face needs Dimension = 3.");
   CHECK(message_on(text, {"Bodies/disc/Angular velocity=1, 2, 3"}) ==
         "--set \"Bodies/disc/Angular velocity=1, 2, 3\": Bodies/disc/Angular velocity = 1, 2, 3: "
         "must be a number [rad/s]. (Spin at the start about the centre of mass.)");
+}
+
+namespace
+{
+  /** The valid scene with a free rigid box above the cube. */
+  std::string
+  with_raft(const std::string &lines)
+  {
+    return std::string(valid_text) +
+           "subsection Rigid bodies\n  set List of rigid bodies = raft\n  subsection raft\n"
+           "    set Lower corner = 0.25, 0.25, 0.76\n    set Upper corner = 0.75, 0.75, 0.96\n" +
+           lines + "  end\nend\n";
+  }
+} // namespace
+
+TEST_CASE("a rigid body that is not what it should be", "[io]")
+{
+  // Each fault on its own; the scene itself is valid, free and scripted.
+  CHECK(message_on(with_raft("set Density = 500\n")).empty());
+  CHECK(message_on(with_raft("set Motion = scripted\nset Position = 0.5; 0.5; 0.86 + 0.1*t\n")).empty());
+  CHECK_THAT(message_on(with_raft("")),
+             Catch::Contains("with Motion = free exactly one of Density and Mass must be given, but "
+                             "none is."));
+  CHECK_THAT(message_on(with_raft("set Density = 500\nset Mass = 1\n")),
+             Catch::Contains("but both are."));
+  CHECK_THAT(message_on(with_raft("set Motion = scripted\nset Density = 500\n")),
+             Catch::Contains("Rigid bodies/raft/Density"));
+  CHECK_THAT(message_on(with_raft("set Density = 500\nset Position = 0; 0; 0\n")),
+             Catch::Contains("Rigid bodies/raft/Position"));
+  CHECK_THAT(message_on(with_raft("set Density = 500\n"),
+                        {"Rigid bodies/raft/Lower corner=0.25, 0.25, 0.7"}),
+             Catch::Contains("it overlaps the body 'cube' at the start; move them apart."));
+  CHECK_THAT(message_on(with_raft("set Density = 500\n"),
+                        {"Rigid bodies/raft/Upper corner=0.75, 0.75, 1.2"}),
+             Catch::Contains("outside of the box"));
+  CHECK_THAT(message_on(with_raft("set Motion = scripted\nset Position = 0.5; 0.5\n")),
+             Catch::Contains("has 2 components, not 3"));
+}
+
+TEST_CASE("a free magnet that cannot be one", "[io]")
+{
+  // A free magnet needs mass and a place at the start; a magnet that is not free must not have mass.
+  CHECK(message_on(valid_text, {"Magnets/magnet/Free=true", "Magnets/magnet/Mass=1"}).empty());
+  CHECK_THAT(message_with("Magnets/magnet/Mass=1"), Catch::Contains("Free = false"));
+  CHECK_THAT(message_with("Magnets/magnet/Free=true"),
+             Catch::Contains("with Free = true exactly one of Density and Mass must be given"));
+  CHECK_THAT(message_on(valid_text,
+                        {"Magnets/magnet/Free=true",
+                         "Magnets/magnet/Mass=1",
+                         "Magnets/magnet/Position=0.5; 0.5; 0.25 + t"}),
+             Catch::Contains("it must not depend on t"));
+  CHECK_THAT(message_on(valid_text,
+                        {"Magnets/magnet/Free=true",
+                         "Magnets/magnet/Mass=1",
+                         "Magnets/magnet/Type=uniform field"}),
+             Catch::Contains("a uniform field is nowhere; set it to false."));
 }

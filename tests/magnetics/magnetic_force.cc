@@ -2,6 +2,9 @@
 #include "scene.h"
 
 #include <magmpm/base/constants.h>
+#include <magmpm/magnetics/mirror_images.h>
+
+#include <map>
 
 using namespace magmpm;
 using namespace magmpm::test;
@@ -170,4 +173,50 @@ TEMPLATE_TEST_CASE_SIG("An oblique spheroid turns into the field",
              exact);
   CHECK(torque < 0.); // clockwise, into the field
   CHECK(torque == Approx(exact).epsilon(0.2));
+}
+
+// A layer between shielded side walls, in a field along them, is a piece of an endless one: the same
+// acceleration on every node of a row, none across the walls. What the quadrature leaves out behind the
+// mirrors would push the layer against them, with all of mu_0 M^2/2.
+TEMPLATE_TEST_CASE_SIG("A layer between mirrors does not feel them",
+                       "[magnetics][mpi]",
+                       ((int dim), dim),
+                       2,
+                       3)
+{
+  std::array<bool, 2 * dim> shielded;
+  shielded.fill(true);
+  constexpr int n_cells = 16;
+  Scene<dim> scene(n_cells, spacing, 2., linear_law<dim>(), shielded);
+  Vector<dim> lower, upper, field;
+  for (int d = 0; d < dim; ++d)
+    upper[d] = n_cells * spacing;
+  upper[dim - 1] = 9.3 * spacing;
+  field[dim - 1] = 1e5;
+  scene.set_bodies({box<dim>(lower, upper, {1., 1.5})});
+  scene.problem.solve(scene.content, ExternalField<dim>({uniform_source<dim>(field)}));
+
+  add_mirror_images(scene.partition, scene.lattice, shielded, scene.mass);
+  NodeField<dim> force;
+  scene.problem.compute_force(scene.mass, force);
+  std::map<int, std::pair<double, double>> rows; // least and largest acceleration by height
+  double largest = 0., across = 0.;
+  scene.for_owned_nodes([&](const int slot, const int node, const Vector<dim> &x) {
+    const double mass = scene.mass.node(slot, node)[n_lanes - 1];
+    if (!(mass > 0.))
+      return;
+    const double *f           = force.node(slot, node);
+    const double acceleration = f[dim - 1] / mass;
+    const int row             = static_cast<int>(std::lround(x[dim - 1] / spacing));
+    const auto entry          = rows.try_emplace(row, acceleration, acceleration).first;
+    entry->second.first       = std::min(entry->second.first, acceleration);
+    entry->second.second      = std::max(entry->second.second, acceleration);
+    largest                   = std::max(largest, std::abs(acceleration));
+    for (int d = 0; d < dim - 1; ++d)
+      across = std::max(across, std::abs(f[d]) / mass);
+  });
+  REQUIRE(largest > 0.);
+  CHECK(across < 1e-9 * largest);
+  for (const auto &row : rows)
+    CHECK(row.second.second - row.second.first < 1e-9 * largest);
 }

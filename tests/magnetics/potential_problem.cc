@@ -196,3 +196,41 @@ TEST_CASE("A potential that is not found is an error", "[magnetics][mpi]")
   CHECK_THROWS_WITH(scene.problem.solve(scene.content, sources),
                     Catch::Matchers::Contains("did not converge in 2 steps"));
 }
+
+// A change of the mesh that leaves each rank as many unknowns as before: two discs, one on each rank, go
+// from the left half of the box to the mirror image in the right one. A vector that kept the exchange
+// pattern of the old mesh would bring wrong values to the ranks' borders; the energy and the force must
+// be those of a problem that never saw the old mesh.
+TEST_CASE("Each mesh has its own exchange pattern", "[magnetics][mpi]")
+{
+  MagneticsParameters<2> parameters;
+  parameters.newton_tolerance = 1e-13;
+  const ExternalField<2> sources({uniform_source<2>({{3e4, 8e4}})});
+  const auto discs = [](const double x) {
+    return std::vector<TestBody<2>>{
+      sphere<2>({{x * spacing, 12. * spacing}}, 3. * spacing, grains(2.)),
+      sphere<2>({{x * spacing, 20. * spacing}}, 3. * spacing, grains(2.))};
+  };
+  Scene<2> moved(32, spacing, 2., parameters), fresh(32, spacing, 2., parameters);
+  moved.set_bodies(discs(8.));
+  moved.problem.solve(moved.content, sources);
+  const auto n_own = [](const Scene<2> &scene) {
+    return scene.problem.solution().space->dof_handler.n_locally_owned_dofs();
+  };
+  const auto n_before = n_own(moved);
+
+  moved.set_bodies(discs(24.));
+  fresh.set_bodies(discs(24.));
+  const SolveReport report   = moved.problem.solve(moved.content, sources);
+  const SolveReport expected = fresh.problem.solve(fresh.content, sources);
+  if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 2)
+    REQUIRE(n_own(moved) == n_before); // else this test would test nothing
+  CHECK(report.energy == Approx(expected.energy).epsilon(1e-11));
+  NodeField<2> force, expected_force;
+  moved.problem.compute_force(moved.mass, force);
+  fresh.problem.compute_force(fresh.mass, expected_force);
+  const auto first_moment = [](const Vector<2> &x) { return x[0] - 2. * x[1]; };
+  for (int d = 0; d < 2; ++d)
+    CHECK(moved.sum(force, d, first_moment) ==
+          Approx(fresh.sum(expected_force, d, first_moment)).epsilon(1e-9));
+}

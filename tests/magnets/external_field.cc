@@ -1,7 +1,7 @@
 #include <magmpm/base/constants.h>
 #include <magmpm/base/exceptions.h>
 #include <magmpm/magnets/external_field.h>
-#include <magmpm/magnets/uniform_field.h>
+#include <magmpm/magnets/make_source.h>
 
 #include "catch.h"
 
@@ -105,16 +105,16 @@ TEMPLATE_TEST_CASE_SIG("outside of a magnetized sphere the field has no divergen
 {
   // The trace and the antisymmetric part of the gradient vanish in empty space (Maxwell), and the
   // gradient is the difference quotient of the field: with a step of 1e-4 distances, error 1e-7.
-  const MagnetizedSphere<dim> sphere(sphere_parameters<dim>());
+  const auto sphere = make_source(sphere_parameters<dim>());
   for (const double distance : {0.0501, 0.08, 0.5, 3.})
     for (const Vector<dim> &n : directions<dim>())
       {
         const Vector<dim> point    = centre_of_sphere<dim>() + distance * n;
-        const Matrix<dim> gradient = sphere.field_gradient(point);
+        const Matrix<dim> gradient = sphere->field_gradient(point);
         const double size          = frobenius_norm(gradient);
         CHECK(std::abs(trace(gradient)) < 1e-14 * size);
         CHECK(frobenius_norm(gradient + (-1.) * transpose(gradient)) < 1e-14 * size);
-        const Matrix<dim> difference = difference_gradient(sphere, point, 1e-4 * distance);
+        const Matrix<dim> difference = difference_gradient(*sphere, point, 1e-4 * distance);
         CHECK(frobenius_norm(gradient + (-1.) * difference) < 2e-7 * size);
       }
 }
@@ -127,12 +127,12 @@ TEMPLATE_TEST_CASE_SIG("at the surface of a magnetized sphere normal B and tange
 {
   // Just inside B = mu0 (H + M), outside B = mu0 H: n.(H + M) inside is n.H outside, and the rest
   // of H is the same. Points 1e-9 m off the surface leave about 1e-7 of M.
-  const MagnetizedSphere<dim> sphere(sphere_parameters<dim>());
+  const auto sphere   = make_source(sphere_parameters<dim>());
   const Vector<dim> m = magnetization_of_sphere<dim>();
   for (const Vector<dim> &n : directions<dim>())
     {
-      const Vector<dim> inside  = sphere.field(centre_of_sphere<dim>() + (0.05 - 1e-9) * n);
-      const Vector<dim> outside = sphere.field(centre_of_sphere<dim>() + (0.05 + 1e-9) * n);
+      const Vector<dim> inside  = sphere->field(centre_of_sphere<dim>() + (0.05 - 1e-9) * n);
+      const Vector<dim> outside = sphere->field(centre_of_sphere<dim>() + (0.05 + 1e-9) * n);
       const Vector<dim> jump    = outside - inside;
       CHECK(norm(jump - dot(m, n) * n) < 2e-7 * norm(m));
     }
@@ -151,41 +151,39 @@ TEMPLATE_TEST_CASE_SIG("inside of a magnetized sphere the field is -M/3, of a cy
   parameters.position              = dim == 3 ? "0; 0; 0" : "0; 0";
   parameters.magnetization         = dim == 3 ? "0; 2e6; 0" : "0; 2e6";
   parameters.radius                = 0.5;
-  const MagnetizedSphere<dim> sphere(parameters);
+  const auto sphere                = make_source(parameters);
 
   Vector<dim> point;
-  CHECK(sphere.field(point)[1] == Approx(-2e6 / dim));
-  CHECK(frobenius_norm(sphere.field_gradient(point)) == 0.);
+  CHECK(sphere->field(point)[1] == Approx(-2e6 / dim));
+  CHECK(frobenius_norm(sphere->field_gradient(point)) == 0.);
   point[0] = 0.499;
-  CHECK(sphere.field(point)[1] == Approx(-2e6 / dim));
-  CHECK(sphere.field(point)[0] == 0.);
+  CHECK(sphere->field(point)[1] == Approx(-2e6 / dim));
+  CHECK(sphere->field(point)[0] == 0.);
 
   Vector<dim> pole;
   pole[1] = 0.5;
-  CHECK(sphere.field(pole)[1] == Approx(2e6 * (dim - 1) / dim));
-  CHECK(norm(sphere.strength()) == Approx(norm(sphere.field(pole))));
+  CHECK(sphere->field(pole)[1] == Approx(2e6 * (dim - 1) / dim));
+  CHECK(norm(sphere->strength()) == Approx(norm(sphere->field(pole))));
 }
 
 TEST_CASE("far away a magnetized sphere is a dipole", "[magnets]")
 {
   // H = (3 (m.n) n - m)/(4 pi r^3) of the moment m = 4/3 pi R^3 M, in 2D
   // (2 (m.n) n - m)/(2 pi r^2) of the moment per length pi R^2 M: textbook formulas.
-  const MagnetizedSphere<3> sphere(sphere_parameters<3>());
-  const Vector<3> m3 = sphere.moment();
-  CHECK(m3[1] == Approx(-1e6 * 4. / 3. * constants::pi * 1.25e-4));
+  const auto sphere  = make_source(sphere_parameters<3>());
+  const Vector<3> m3 = (4. / 3. * constants::pi * 1.25e-4) * magnetization_of_sphere<3>();
   for (const Vector<3> &n : directions<3>())
     {
       const Vector<3> dipole = (1. / (4. * constants::pi * 8.)) * (3. * dot(m3, n) * n - m3);
-      CHECK(norm(sphere.field(centre_of_sphere<3>() + 2. * n) - dipole) < 1e-13 * norm(dipole));
+      CHECK(norm(sphere->field(centre_of_sphere<3>() + 2. * n) - dipole) < 1e-13 * norm(dipole));
     }
 
-  const MagnetizedSphere<2> cylinder(sphere_parameters<2>());
-  const Vector<2> m2 = cylinder.moment();
-  CHECK(m2[1] == Approx(-1e6 * constants::pi * 2.5e-3));
+  const auto cylinder = make_source(sphere_parameters<2>());
+  const Vector<2> m2  = (constants::pi * 2.5e-3) * magnetization_of_sphere<2>();
   for (const Vector<2> &n : directions<2>())
     {
       const Vector<2> dipole = (1. / (2. * constants::pi * 4.)) * (2. * dot(m2, n) * n - m2);
-      CHECK(norm(cylinder.field(centre_of_sphere<2>() + 2. * n) - dipole) < 1e-13 * norm(dipole));
+      CHECK(norm(cylinder->field(centre_of_sphere<2>() + 2. * n) - dipole) < 1e-13 * norm(dipole));
     }
 }
 
@@ -202,30 +200,31 @@ TEMPLATE_TEST_CASE_SIG("the external field is the sum of its sources",
   other.position              = dim == 3 ? "1; 1; 1" : "1; 1";
   other.contact               = ContactCondition::none;
   const ExternalField<dim> field({sphere_parameters<dim>(), uniform_parameters<dim>(), other});
-  const MagnetizedSphere<dim> first(sphere_parameters<dim>()), last(other);
-  const UniformField<dim> uniform(uniform_parameters<dim>());
+  const auto first   = make_source(sphere_parameters<dim>());
+  const auto last    = make_source(other);
+  const auto uniform = make_source(uniform_parameters<dim>());
 
   const Vector<dim> point = 0.4 * identity<dim>() * magnetization_of_sphere<dim>();
   const Vector<dim> near  = centre_of_sphere<dim>() + 0.06 * directions<dim>()[3];
   for (const Vector<dim> &x : {point, near, centre_of_sphere<dim>()})
     {
-      const Vector<dim> sum = first.field(x) + uniform.field(x) + last.field(x);
+      const Vector<dim> sum = first->field(x) + uniform->field(x) + last->field(x);
       CHECK(norm(field.field(x) - sum) <= 1e-15 * norm(sum));
-      const Matrix<dim> gradient = first.field_gradient(x) + last.field_gradient(x);
+      const Matrix<dim> gradient = first->field_gradient(x) + last->field_gradient(x);
       CHECK(frobenius_norm(field.field_gradient(x) + (-1.) * gradient) <=
             1e-15 * frobenius_norm(gradient));
     }
-  CHECK(uniform.field(near)[0] == 1e4);
-  CHECK(uniform.field(near)[1] == 2e4);
-  CHECK(frobenius_norm(uniform.field_gradient(near)) == 0.);
+  CHECK(uniform->field(near)[0] == 1e4);
+  CHECK(uniform->field(near)[1] == 2e4);
+  CHECK(frobenius_norm(uniform->field_gradient(near)) == 0.);
 
   // Only the first sphere has a surface.
   CHECK(field.sources().size() == 3);
   CHECK(field.sources()[1]->name() == "coil");
-  REQUIRE(field.solid_spheres().size() == 1);
-  CHECK(field.solid_spheres()[0]->name() == "ball");
-  CHECK(field.solid_spheres()[0]->contact() == ContactCondition::slip);
-  CHECK(field.solid_spheres()[0]->radius() == 0.05);
+  REQUIRE(field.solid_sources().size() == 1);
+  CHECK(field.solid_sources()[0]->name() == "ball");
+  CHECK(field.solid_sources()[0]->contact() == ContactCondition::slip);
+  CHECK(field.solid_sources()[0]->shape()->bounding_box().upper[0] == 0.05);
 }
 
 TEST_CASE("a moving magnet takes its field along and knows its velocity", "[magnets]")
@@ -239,11 +238,11 @@ TEST_CASE("a moving magnet takes its field along and knows its velocity", "[magn
 
   ExternalField<3> field({moving});
   const ExternalField<3> expected({at_rest});
-  CHECK(field.solid_spheres()[0]->centre()[0] == Approx(0.1));
+  CHECK(field.solid_sources()[0]->pose().position[0] == Approx(0.1));
   field.set_time(0.25);
-  CHECK(field.solid_spheres()[0]->centre()[0] == Approx(0.6));
-  CHECK(field.solid_spheres()[0]->velocity()[0] == Approx(2.).epsilon(1e-9));
-  CHECK(norm(expected.solid_spheres()[0]->velocity()) == 0.);
+  CHECK(field.solid_sources()[0]->pose().position[0] == Approx(0.6));
+  CHECK(field.solid_sources()[0]->motion().velocity[0] == Approx(2.).epsilon(1e-9));
+  CHECK(norm(expected.solid_sources()[0]->motion().velocity) == 0.);
   const Vector<3> point = {{0.5, 0., 0.4}};
   CHECK(norm(field.field(point) - expected.field(point)) < 1e-14 * norm(expected.field(point)));
   CHECK(!field.is_constant());
@@ -303,7 +302,7 @@ TEST_CASE("without sources, or with such that are zero for ever, there is no fie
   CHECK(obstructed.is_absent());
   CHECK(obstructed.is_constant());
   CHECK(obstructed.change_since_remembered().displacement == 0.);
-  CHECK(obstructed.solid_spheres().size() == 1);
+  CHECK(obstructed.solid_sources().size() == 1);
 
   SourceParameters<3> growing = uniform_parameters<3>();
   growing.field               = "0; 0; 1e5*t";
@@ -323,7 +322,7 @@ TEST_CASE("sources that make no sense are refused by name", "[magnets]")
   solid_field.contact             = ContactCondition::stick;
   CHECK_THROWS_WITH(ExternalField<3>({solid_field}),
                     "Source 'coil' is a uniform field, which has no surface, but has a contact "
-                    "condition. Only a magnetized sphere can be solid: set the contact to none.");
+                    "condition. Set it to none.");
 
   SourceParameters<3> short_field = uniform_parameters<3>();
   short_field.field               = "1; 2";

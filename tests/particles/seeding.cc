@@ -129,6 +129,29 @@ TEMPLATE_TEST_CASE_SIG("a box on lattice nodes is filled exactly",
     }
 }
 
+TEMPLATE_TEST_CASE_SIG("every other place of a box is filled exactly",
+                       "[particles]",
+                       ((int dim), dim),
+                       2,
+                       3)
+{
+  // Half as many particles of twice the volume: 4 places per edge are 32 particles a cell in 3D, and no
+  // two of them are next to each other along an axis, so the nearest are sqrt(2) places apart.
+  const Lattice<dim> lattice     = test_lattice<dim>();
+  BodyParameters<dim> parameters = box_on_nodes(lattice);
+  const int n_cells              = (dim == 3 ? 4 * 6 * 8 : 4 * 6);
+  parameters.particles_per_edge  = 4;
+  parameters.arrangement         = Arrangement::face_centred;
+  const Body<dim> body           = seeded(parameters, lattice);
+  REQUIRE(body.particles.size() == std::size_t(n_cells * power(4, dim) / 2));
+  CHECK(volume_of(body) == Approx(n_cells * std::pow(lattice.spacing, dim)).epsilon(1e-12));
+
+  double nearest = 1e300;
+  for (std::size_t p = 1; p < body.particles.size(); ++p)
+    nearest = std::min(nearest, norm(body.particles.position(p) - body.particles.position(0)));
+  CHECK(nearest == Approx(std::sqrt(2.) / 4. * lattice.spacing));
+}
+
 TEST_CASE("spheres and cylinders have their volume up to the steps of their surface", "[particles]")
 {
   // Volumes against the formulas. Particles lie on a grid of spacing dx/2, a tenth of the radius, so

@@ -7,12 +7,13 @@
 namespace magmpm
 {
   /**
-   * Momentum to velocity on the owned nodes, Eqs. (33), (34): v_i = (m v)_i/m_i + dt g, then the
-   * boundaries. The impulses of stress and magnetic force are in the momentum already. A node whose
+   * Momentum to velocity on the owned nodes, Eqs. (33), (34): v_i = (m v)_i/m_i + dt g, times
+   * exp(-rate dt) where there is damping, then the boundaries. The impulses of stress and magnetic force are in the momentum already. A node whose
    * mass is below 1e-12 of @p typical_mass is left at rest: what it could give to a particle is
    * below rounding.
    *
-   * @param field  {momentum [kg m/s], mass [kg]}, becomes {velocity [m/s], mass [kg]}.
+   * @param damping_rate  dv/dt = -rate v [1/s].
+   * @param field         {momentum [kg m/s], mass [kg]}, becomes {velocity [m/s], mass [kg]}.
    */
   template <int dim>
   void
@@ -20,6 +21,7 @@ namespace magmpm
                           const LatticeBoundary<dim> &boundary,
                           const Vector<dim> &gravity,
                           const double time_step,
+                          const double damping_rate,
                           const double typical_mass,
                           NodeField<dim> &field);
 } // namespace magmpm

@@ -34,6 +34,9 @@ namespace magmpm
     std::vector<Vector<3>>
     surface_points(const double spacing) const override;
 
+    SurfaceMesh<3>
+    surface_mesh(const double spacing) const override;
+
   private:
     const Vector<3> centre;
     const Vector<3> direction; ///< of the axis, of length 1

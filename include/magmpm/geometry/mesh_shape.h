@@ -44,6 +44,9 @@ namespace magmpm
     std::vector<Vector<3>>
     surface_points(const double spacing) const override;
 
+    SurfaceMesh<3>
+    surface_mesh(const double spacing) const override;
+
     const TriangleMesh &
     mesh() const
     {

@@ -64,4 +64,9 @@ namespace magmpm
     return identity<dim>() + sinc * generator +
            (0.5 * half_sinc * half_sinc) * (generator * generator);
   }
+
+  /** Axis times angle [rad] of a rotation, by no more than half a turn: what rotation_by() takes. */
+  template <int dim>
+  Vector<n_axial_components<dim>>
+  rotation_vector(const Matrix<dim> &rotation);
 } // namespace magmpm

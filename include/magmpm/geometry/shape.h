@@ -2,6 +2,7 @@
 
 #include <magmpm/base/tensor.h>
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -30,6 +31,14 @@ namespace magmpm
     double volume; ///< [m^3], in 2D [m^2]
     Vector<dim> centroid;
     Matrix<dim> second; ///< integral of r r^T about the centroid [m^5], in 2D [m^4]
+  };
+
+  /** A surface for pictures: points and triangles (in 2D lines) between them, turned outward. */
+  template <int dim>
+  struct SurfaceMesh
+  {
+    std::vector<Vector<dim>> points; ///< [m]
+    std::vector<std::array<int, dim>> facets;
   };
 
   /**
@@ -62,6 +71,13 @@ namespace magmpm
      */
     virtual std::vector<Vector<dim>>
     surface_points(const double spacing) const = 0;
+
+    /** The surface; what is round has edges of about @p spacing [m]. Empty if there is none to show. */
+    virtual SurfaceMesh<dim>
+    surface_mesh(const double /*spacing*/) const
+    {
+      return {};
+    }
   };
 
   enum class ShapeType

@@ -27,6 +27,9 @@ namespace magmpm
     std::vector<Vector<dim>>
     surface_points(const double spacing) const override;
 
+    SurfaceMesh<dim>
+    surface_mesh(const double spacing) const override;
+
   private:
     const Vector<dim> centre;
     const double radius;

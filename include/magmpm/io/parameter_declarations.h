@@ -19,6 +19,7 @@ namespace magmpm
 
     double saturation_magnetization = 0., initial_susceptibility = 0.; ///< either these
     double grain_moment = 0., grain_number_density = 0.;               ///< or these
+    double curve_factor = 0.;                                          ///< or this
   };
 
   /** What the user gives, where it is not yet what Parameters holds. */
@@ -27,15 +28,17 @@ namespace magmpm
   {
     int dimension = dim;
     Vector<dim> lower_corner, upper_corner;
-    double cell_size             = 0.;
-    double temperature           = 300.;
+    double cell_size   = 0.;
+    double temperature = 300.;
+    std::string attraction_strength; ///< a number or match magnets
+    std::string magnetization_curve; ///< a file
     std::string checkpoint_every = "10 min", end_wall_time = "never";
-    std::vector<std::string> body_names, material_names, magnet_names;
+    std::vector<std::string> body_names, material_names, magnet_names, rigid_body_names;
     std::vector<MaterialInput> materials; ///< in the order of material_names
   };
 
   /**
-   * Declares all parameters of a scene with the bodies, materials and magnets named in @p input, and
+   * Declares all parameters of a scene with the bodies, materials, magnets and rigid bodies named in @p input, and
    * binds them to @p input and @p parameters, whose lists get their length here.
    */
   template <int dim>

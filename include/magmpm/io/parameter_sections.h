@@ -37,6 +37,26 @@ namespace magmpm
   void
   declare_source(ParameterRegister &declarations, SourceParameters<dim> &source);
 
+  /** What a free magnet needs, within the section of the magnet. */
+  template <int dim>
+  void
+  declare_free_magnet(ParameterRegister &declarations, SourceParameters<dim> &source);
+
+  /** One of the rigid bodies: its shape, mass, motion and surface. */
+  template <int dim>
+  void
+  declare_rigid_body(ParameterRegister &declarations, RigidBodyParameters<dim> &body);
+
+  /** The section Attraction. */
+  template <int dim>
+  void
+  declare_attraction(ParameterRegister &declarations,
+                     ParameterInput<dim> &input,
+                     PointAttraction<dim> &attraction);
+
+  void
+  declare_rest(ParameterRegister &declarations, RestParameters &rest);
+
   /** The section Magnetics: law, potential, solvers. */
   template <int dim>
   void

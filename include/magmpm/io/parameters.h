@@ -1,5 +1,6 @@
 #pragma once
 
+#include <magmpm/boundary/rigid_body_parameters.h>
 #include <magmpm/boundary/wall_parameters.h>
 #include <magmpm/io/parameter_file.h>
 #include <magmpm/io/run_parameters.h>
@@ -9,6 +10,7 @@
 #include <magmpm/materials/material_parameters.h>
 #include <magmpm/mesh/mesh_parameters.h>
 #include <magmpm/particles/body_parameters.h>
+#include <magmpm/particles/point_attraction.h>
 
 #include <string>
 #include <vector>
@@ -30,11 +32,14 @@ namespace magmpm
     std::vector<BodyParameters<dim>> bodies;
     std::vector<MaterialParameters> materials;
     std::vector<SourceParameters<dim>> sources;
+    std::vector<RigidBodyParameters<dim>> rigid_bodies;
 
+    PointAttraction<dim> attraction;
     WallParameters<dim> walls;
     MeshParameters<dim> mesh;
     MagneticsParameters<dim> magnetics;
     TimeStepParameters time_step;
+    RestParameters rest;
     SolveTriggerParameters solve_trigger;
     RunawayLimits runaway_limits;
     OutputParameters output;

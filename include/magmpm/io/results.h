@@ -1,7 +1,9 @@
 #pragma once
 
+#include <magmpm/boundary/rigid_bodies.h>
 #include <magmpm/io/parameters.h>
 #include <magmpm/io/particle_output.h>
+#include <magmpm/io/rigid_body_output.h>
 #include <magmpm/io/run_log.h>
 #include <magmpm/io/run_state.h>
 #include <magmpm/io/statistics_file.h>
@@ -41,7 +43,8 @@ namespace magmpm
   {
     std::uintmax_t statistics_size = 0; ///< [bytes]
     /** Time [s] and file of each. */
-    std::vector<std::pair<double, std::string>> particle_frames, field_frames, surface_frames;
+    std::vector<std::pair<double, std::string>> particle_frames, field_frames, surface_frames,
+      rigid_body_frames;
     unsigned int n_solves = 0; ///< of the potential, until the last line of the log
 
     template <typename Archive>
@@ -52,6 +55,7 @@ namespace magmpm
       archive &particle_frames;
       archive &field_frames;
       archive &surface_frames;
+      archive &rigid_body_frames;
       archive &n_solves;
     }
   };
@@ -109,6 +113,12 @@ namespace magmpm
                  const PotentialProblem<dim> &potential,
                  const ExternalField<dim> &sources);
 
+    /** rigid_bodies.pvd, where magnets and rigid bodies are now. */
+    void
+    write_rigid_bodies(const RunState &state,
+                       const ExternalField<dim> &sources,
+                       const RigidBodies<dim> &bodies);
+
     /** The line of a frame on the terminal. */
     void
     report_frame(const RunState &state);
@@ -119,12 +129,15 @@ namespace magmpm
      * @param sums                    of each body, over all ranks.
      * @param fewest_particles        held by a rank.
      * @param seconds                 of each phase so far, on this rank.
+     * @param forces                  on each source.
      */
     void
     write_statistics(const RunState &state,
                      const std::vector<ParticleSums<dim>> &sums,
                      const double fewest_particles,
-                     const std::map<std::string, double> &seconds);
+                     const std::map<std::string, double> &seconds,
+                     const RigidBodies<dim> &rigid_bodies,
+                     const std::vector<ForceAndTorque<dim>> &forces);
 
     /** How far the files got; what counts is that of rank 0. */
     ResultsProgress
@@ -142,8 +155,10 @@ namespace magmpm
     RunLog run_log;
     StatisticsFile statistics;
     ParticleOutput<dim> particle_output;
-    std::unique_ptr<FieldOutput<dim>> field_output;     ///< null without magnetic material
-    std::unique_ptr<SurfaceOutput<dim>> surface_output; ///< null if not wanted
+    std::unique_ptr<FieldOutput<dim>> field_output;          ///< null without magnetic material
+    std::unique_ptr<SurfaceOutput<dim>> surface_output;      ///< null if not wanted
+    std::unique_ptr<RigidBodyOutput<dim>> rigid_body_output; ///< null before the first frame
+    std::vector<std::pair<double, std::string>> earlier_rigid_body_frames; ///< of a resumed run
 
     std::map<std::string, double> seconds_before; ///< the last row, by phase
     unsigned int solves_before = 0;               ///< the last line of the log

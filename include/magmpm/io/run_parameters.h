@@ -18,6 +18,15 @@ namespace magmpm
     double affine_factor  = 0.3;  ///< dt <= factor / |C|
   };
 
+  /** How a scene comes to rest, and whether the run ends then. */
+  struct RestParameters
+  {
+    double damping_rate = 0.;    ///< dv/dt = -rate v [1/s]
+    bool stops          = false; ///< the run ends when all material is at rest:
+    double speed        = 0.;    ///< the root mean square of the speed is below this [m/s] ..
+    double duration     = 0.;    ///< .. for so long [s]
+  };
+
   /** When the potential is solved again. */
   struct SolveTriggerParameters
   {
@@ -62,10 +71,11 @@ namespace magmpm
   struct OutputParameters
   {
     std::string directory;
-    double frame_interval = 0.; ///< simulated time between frames [s]
-    bool write_particles  = true;
-    bool write_fields     = true;
-    bool write_surface    = false;
+    double frame_interval   = 0.; ///< simulated time between frames [s]
+    bool write_particles    = true;
+    bool write_fields       = true;
+    bool write_rigid_bodies = true;
+    bool write_surface      = false;
     std::vector<std::string> particle_quantities; ///< names of particle_property table
     std::vector<std::string> field_quantities;    ///< potential, H_int, H, M, B, number_density
     int statistics_every = 1;                     ///< steps

@@ -4,9 +4,30 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace magmpm
 {
+  /**
+   * Force and torque of the material on the sources, known at a solve and carried between two: of each
+   * source in turn the components of force [N] and torque [N m].
+   */
+  struct CarriedReactions
+  {
+    std::vector<double> now;
+    std::vector<double> rate;  ///< per way of the fastest particle [.../m]
+    unsigned int n_solves = 0; ///< so many had been done when they were found
+
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &now;
+      archive &rate;
+      archive &n_solves;
+    }
+  };
+
   /** Where a run is, and what its last step and solve did. */
   struct RunState
   {
@@ -45,6 +66,21 @@ namespace magmpm
     double path_since_solve   = 0.; ///< the sum of the steps of the fastest particles [m]
     double carried_way        = 0.; ///< for which the carried force was advanced [m]
 
+    CarriedReactions reactions; ///< empty until somebody asks for them
+
+    std::vector<double> rigid_bodies;          ///< RigidBodies::record()
+    std::vector<double> rigid_bodies_at_solve; ///< the same at the last solve
+
+    /** Of a particle into a rigid body since the last row of the statistics, on this rank [m]. */
+    double deepest_penetration       = 0.;
+    std::size_t particles_inside     = 0; ///< of rigid bodies, in the last step, all ranks
+    std::size_t particles_pushed_out = 0; ///< of rigid bodies so far, all ranks
+
+    double attraction = 0.; ///< g0 of the artificial attraction, matched to the magnets [m/s^2]
+
+    /** Since when the material is at rest [s]; negative: it is not. */
+    double rest_since = -1.;
+
     template <typename Archive>
     void
     serialize(Archive &archive, const unsigned int /*version*/)
@@ -72,6 +108,14 @@ namespace magmpm
       archive &drift_since_solve;
       archive &path_since_solve;
       archive &carried_way;
+      archive &reactions;
+      archive &rigid_bodies;
+      archive &rigid_bodies_at_solve;
+      archive &deepest_penetration;
+      archive &particles_inside;
+      archive &particles_pushed_out;
+      archive &attraction;
+      archive &rest_since;
     }
   };
 } // namespace magmpm

@@ -14,6 +14,23 @@ namespace magmpm
                     const ParameterInput<dim> &input,
                     Parameters<dim> &parameters);
 
+  /** Reads the file of the magnetization curve, where the law needs one. */
+  template <int dim>
+  void
+  convert_magnetization_curve(const ParameterRegister &declarations,
+                              const ParameterInput<dim> &input,
+                              MagneticsParameters<dim> &magnetics);
+
+  template <int dim>
+  void
+  convert_attraction(const ParameterRegister &declarations,
+                     const ParameterInput<dim> &input,
+                     Parameters<dim> &parameters);
+
+  template <int dim>
+  void
+  check_rest(const ParameterRegister &declarations, const Parameters<dim> &parameters);
+
   /**
    * Checks that the shape in @p section is given, all of it and nothing else. The file of a mesh
    * becomes the path at which it is found.
@@ -42,9 +59,24 @@ namespace magmpm
                const ParameterInput<dim> &input,
                Parameters<dim> &parameters);
 
+  /** The files of meshes and key frames become the paths at which they are found. */
   template <int dim>
   void
   check_sources(const ParameterRegister &declarations,
-                const Parameters<dim> &parameters,
+                Parameters<dim> &parameters,
                 const std::vector<std::unique_ptr<Shape<dim>>> &body_shapes);
+
+  /** Also that a free magnet has mass, and a place to begin at; others must not have these. */
+  template <int dim>
+  void
+  check_free_magnet(const ParameterRegister &declarations,
+                    const std::string &section,
+                    const SourceParameters<dim> &source);
+
+  /** Adds to the warnings. */
+  template <int dim>
+  void
+  check_rigid_bodies(const ParameterRegister &declarations,
+                     const std::vector<std::unique_ptr<Shape<dim>>> &body_shapes,
+                     Parameters<dim> &parameters);
 } // namespace magmpm

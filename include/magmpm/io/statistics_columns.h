@@ -19,11 +19,20 @@ namespace magmpm
    *
    * @param bodies  names of the bodies.
    * @param phases  names of the timer sections, the verbs of the algorithm.
+   * @param rigid   columns of magnets and rigid bodies (rigid_body_columns()).
    */
   template <int dim>
   std::vector<StatisticsColumn>
   statistics_columns(const std::vector<std::string> &bodies,
-                     const std::vector<std::string> &phases);
+                     const std::vector<std::string> &phases,
+                     const std::vector<StatisticsColumn> &rigid = {});
+
+  /** Adds the columns of a vector (StatisticsFile::set()). */
+  void
+  add_vector(std::vector<StatisticsColumn> &columns,
+             const std::string &name,
+             const int n_components,
+             const std::string &unit);
 
   /** Name of the column (or, for a vector, columns) @p quantity of one body. */
   inline std::string

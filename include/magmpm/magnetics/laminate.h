@@ -34,7 +34,7 @@ namespace magmpm
      */
     template <int dim, typename Number>
     inline Number
-    laminate_jump(const MagnetizationLaw law,
+    laminate_jump(const MagnetizationModel &law,
                   const MagneticContentOf<Number> &content,
                   const Number fraction,
                   const Vector<dim, Number> &normal,
@@ -90,7 +90,7 @@ namespace magmpm
    */
   template <int dim, typename Number>
   inline LaminateResponse<dim, Number>
-  laminate_response(const MagnetizationLaw law,
+  laminate_response(const MagnetizationModel &law,
                     const MagneticContentOf<Number> &content,
                     const Number fraction,
                     const Vector<dim, Number> &normal,

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <magmpm/materials/material_parameters.h>
+#include <magmpm/materials/magnetization.h>
 
 #include <array>
 
@@ -24,7 +24,8 @@ namespace magmpm
   template <int dim>
   struct MagneticsParameters
   {
-    MagnetizationLaw law          = MagnetizationLaw::langevin;
+    MagnetizationLaw law = MagnetizationLaw::langevin;
+    std::shared_ptr<const MagnetizationCurve> curve; ///< of the law table
     MaterialIndicator indicator   = MaterialIndicator::sharp;
     Preconditioner preconditioner = Preconditioner::gmg;
     double newton_tolerance       = 1e-10; ///< of the residual, relative to that of zero potential
@@ -33,5 +34,11 @@ namespace magmpm
 
     /** Shielded faces (-x, +x, -y, ...): natural condition; the others are open (Robin). */
     std::array<bool, 2 *dim> shielded = {};
+
+    MagnetizationModel
+    model() const
+    {
+      return {law, curve};
+    }
   };
 } // namespace magmpm

@@ -225,7 +225,7 @@ namespace magmpm
 
     const BlockPartition<dim> &partition;
     const Lattice<dim> lattice;
-    const MagnetizationLaw law;
+    const MagnetizationModel law;
     const bool is_sharp;
     const std::array<bool, 2 * dim> shielded;
     const CellStencil<dim> the_stencil;

@@ -29,4 +29,16 @@ namespace magmpm
                      const Lattice<dim> &lattice,
                      const std::array<bool, 2 * dim> &shielded,
                      NodeField<dim> &field);
+
+  /**
+   * The same for the first dim lanes as a vector, of which a mirror turns the component along its normal
+   * around: f_i <- f_i + R f_(-i). That component is zero on the wall. Forces that were integrated over
+   * the near side of the wall become those of material on both sides.
+   */
+  template <int dim>
+  void
+  add_mirror_images_of_vector(const BlockPartition<dim> &partition,
+                              const Lattice<dim> &lattice,
+                              const std::array<bool, 2 * dim> &shielded,
+                              NodeField<dim> &field);
 } // namespace magmpm

@@ -74,8 +74,10 @@ namespace magmpm
      * particles. Force that falls on the two layers of nodes around those with mass is handed inward,
      * so that the total is that on the material. The partition must be that of the last solve. Collective.
      *
-     * @param mass   lane 3 is the mass of the nodes, ghosts updated.
-     * @param force  lanes f_x f_y f_z [N] on nodes with mass, ghosts updated; zero elsewhere.
+     * @param mass   lane 3 is the mass of the nodes, with the images that material has behind shielded
+     *               walls (add_mirror_images()), ghosts updated.
+     * @param force  lanes f_x f_y f_z [N] on nodes with mass, likewise with images, ghosts updated;
+     *               zero elsewhere.
      * @return the force further out, which is left away [N], of all ranks.
      */
     Vector<dim>

@@ -1,8 +1,6 @@
 #pragma once
 
 #include <magmpm/magnets/magnetic_source.h>
-#include <magmpm/magnets/magnetized_sphere.h>
-#include <magmpm/magnets/source_parameters.h>
 
 #include <memory>
 #include <vector>
@@ -33,9 +31,29 @@ namespace magmpm
     Matrix<dim>
     field_gradient(const Vector<dim> &point) const;
 
+    /** The magnetization of the magnets [A/m] at @p point [m]. */
+    Vector<dim>
+    magnetization(const Vector<dim> &point) const;
+
     /** Whether a solid source is at @p point [m]: no material can be there. */
     bool
     is_solid(const Vector<dim> &point) const;
+
+    /**
+     * For points where material is.
+     *
+     * @throw RunError  if @p point [m] is inside of a source that refuses material, the core of a point
+     *                  dipole.
+     */
+    void
+    check_material_at(const Vector<dim> &point) const;
+
+    /**
+     * What all the other sources do to @p source, one of sources(), by its
+     * MagneticSource::force_and_torque(); none if that gives none.
+     */
+    std::optional<ForceAndTorque<dim>>
+    force_and_torque(const MagneticSource<dim> &source) const;
 
     /** Whether there is no field at any time: no source, or all of them constant and zero. */
     bool
@@ -48,9 +66,12 @@ namespace magmpm
     /** How much the sources changed. */
     struct Change
     {
-      /** The largest |S - S'|/max(|S|, |S'|) of a source, S and S' its strength() now and then. */
+      /**
+       * The largest |S - S'|/max(|S|, |S'|) of a source, S and S' its strength() now and then; of a
+       * source that is not symmetric about it, no less than 2 sin(a/2), a the angle that it turned by.
+       */
       double relative_strength;
-      /** The largest way that a source moved, as the crow flies [m]. */
+      /** The largest way that a point of a source moved, as the crow flies, or more [m]. */
       double displacement;
     };
 
@@ -69,8 +90,8 @@ namespace magmpm
     }
 
     /** The sources that have a surface (contact other than none), for colliders; owned by this. */
-    const std::vector<const MagnetizedSphere<dim> *> &
-    solid_spheres() const
+    const std::vector<const MagneticSource<dim> *> &
+    solid_sources() const
     {
       return solids;
     }
@@ -80,11 +101,12 @@ namespace magmpm
     struct Snapshot
     {
       Vector<dim> strength;
-      Vector<dim> centre;
+      Pose<dim> pose;
     };
 
     std::vector<std::unique_ptr<MagneticSource<dim>>> all_sources;
-    std::vector<const MagnetizedSphere<dim> *> solids;
+    std::vector<const MagneticSource<dim> *> solids;
+    std::vector<const MagneticSource<dim> *> refusing; ///< those that refuse material
     std::vector<Snapshot> remembered;
     bool has_remembered = false;
   };

@@ -1,7 +1,11 @@
 #pragma once
 
-#include <magmpm/base/tensor.h>
+#include <magmpm/geometry/pose.h>
+#include <magmpm/geometry/shape.h>
+#include <magmpm/magnets/source_field.h>
+#include <magmpm/magnets/source_parameters.h>
 
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -38,20 +42,98 @@ namespace magmpm
     virtual Matrix<dim>
     field_gradient(const Vector<dim> &point) const = 0;
 
+    /** The magnetization M [A/m] at @p point [m]: with H, B = mu_0 (H + M). */
+    virtual Vector<dim>
+    magnetization(const Vector<dim> & /*point*/) const
+    {
+      return {};
+    }
+
     /** Whether the field never changes in time. */
     virtual bool
     is_constant() const = 0;
 
     /**
-     * The amplitude of the source as a vector, whose length is the largest field that it makes
+     * The amplitude of the source as a vector, whose length is about the largest field that it makes
      * outside of itself [A/m]. Field and gradient are proportional to it.
      */
     virtual Vector<dim>
     strength() const = 0;
 
-    /** The point that moves with the source [m]; any fixed point if it has no place. */
-    virtual Vector<dim>
-    centre() const = 0;
+    /** Whether no rotation about strength() changes the field. */
+    virtual bool
+    is_axisymmetric() const
+    {
+      return true;
+    }
+
+    /** The farthest point of the source from its position, where a rotation moves it [m]. */
+    virtual double
+    reach() const
+    {
+      return 0.;
+    }
+
+    /** Whether it is somewhere; otherwise nothing acts on it. */
+    virtual bool
+    has_place() const
+    {
+      return true;
+    }
+
+    /** Where the source is; at rest in the origin if it has no place. */
+    virtual const Pose<dim> &
+    pose() const = 0;
+
+    /** How it moves. */
+    virtual const RigidMotion<dim> &
+    motion() const = 0;
+
+    /**
+     * Puts a source somewhere from outside (a free magnet, which forces move). From then on set_time()
+     * leaves its pose and motion alone, and is_constant() is false unless it has no strength for ever.
+     * What has no place cannot be put anywhere.
+     */
+    virtual void
+    set_pose(const Pose<dim> &pose, const RigidMotion<dim> &motion) = 0;
+
+    /** The space that the source fills, in the frame of pose(); null: none. */
+    virtual const Shape<dim> *
+    shape() const
+    {
+      return nullptr;
+    }
+
+    /** What material does at the surface of shape(); none: it may go through. */
+    virtual ContactCondition
+    contact() const
+    {
+      return ContactCondition::none;
+    }
+
+    /** Coulomb's coefficient of friction, where contact() is separate. */
+    virtual double
+    friction() const
+    {
+      return 0.;
+    }
+
+    /** Whether material must not be inside of shape(), though it does not meet a surface there. */
+    virtual bool
+    refuses_material() const
+    {
+      return false;
+    }
+
+    /**
+     * What another field does to this source; none if it has no place, or no end (in 3D). The acting
+     * field must not contain the source's own.
+     */
+    virtual std::optional<ForceAndTorque<dim>>
+    force_and_torque(const ActingField<dim> & /*acting*/) const
+    {
+      return {};
+    }
 
     const std::string &
     name() const

@@ -38,14 +38,6 @@ namespace magmpm
     Vector<dim>
     value(const double time) const;
 
-    /**
-     * Its time derivative [1/s], by the central difference over time +- 1e-6 s (at earlier times
-     * than that, over 0 to 2e-6 s). For the position A sin(w t) the relative error is below
-     * (1e-6 s w)^2/6 but for rounding, about 1e-10/s of the value; a jump counts as a steep ramp.
-     */
-    Vector<dim>
-    velocity(const double time) const;
-
     /** Whether t does not occur in the expressions. */
     bool
     is_constant() const

@@ -2,7 +2,6 @@
 
 #include <magmpm/magnets/magnetic_source.h>
 #include <magmpm/magnets/motion_script.h>
-#include <magmpm/magnets/source_parameters.h>
 
 namespace magmpm
 {
@@ -30,12 +29,27 @@ namespace magmpm
     Vector<dim>
     strength() const override;
 
+    bool
+    has_place() const override
+    {
+      return false;
+    }
+
     /** The origin: a uniform field has no place. */
-    Vector<dim>
-    centre() const override;
+    const Pose<dim> &
+    pose() const override;
+
+    const RigidMotion<dim> &
+    motion() const override;
+
+    /** @throw RunError  always. */
+    void
+    set_pose(const Pose<dim> &pose, const RigidMotion<dim> &motion) override;
 
   private:
     MotionScript<dim> field_script;
     Vector<dim> current_field; ///< H [A/m]
+    const Pose<dim> origin;
+    const RigidMotion<dim> rest;
   };
 } // namespace magmpm

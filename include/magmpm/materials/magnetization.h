@@ -2,8 +2,10 @@
 
 #include <magmpm/base/tensor.h>
 #include <magmpm/materials/langevin_function.h>
+#include <magmpm/materials/magnetization_curve.h>
 #include <magmpm/materials/material_parameters.h>
 
+#include <memory>
 #include <utility>
 
 namespace magmpm
@@ -37,6 +39,20 @@ namespace magmpm
     Vector<dim, Number> magnetization; ///< M [A/m]
     Matrix<dim, Number> tangent;       ///< dM/dH [-], symmetric and positive semidefinite
     Number coenergy = 0.;              ///< psi [A^2/m^2] with grad psi = M, zero at H = 0
+  };
+
+  /** A law with the curve that it needs if it is MagnetizationLaw::table. */
+  struct MagnetizationModel
+  {
+    MagnetizationLaw law;
+    std::shared_ptr<const MagnetizationCurve> curve;
+
+    MagnetizationModel(const MagnetizationLaw law,
+                       const std::shared_ptr<const MagnetizationCurve> &curve = nullptr)
+      : law(law)
+      , curve(curve)
+    {
+    }
   };
 
   namespace internal
@@ -73,13 +89,29 @@ namespace magmpm
               chi * (law.over_argument * identity<dim, Number>() + (-law.anisotropy) * outer(a, a)),
               chi * law.integral_over_square * norm_square(field)};
     }
+
+    template <int dim, typename Number>
+    inline MagneticResponse<dim, Number>
+    curve_response(const MagnetizationCurve &curve,
+                   const MagneticContentOf<Number> &content,
+                   const Vector<dim, Number> &field)
+    {
+      const Number scale = (1. / curve.initial_susceptibility()) * content.initial_susceptibility;
+      const auto law     = curve.evaluate(norm_square(field));
+      return {(scale * law.over_field) * field,
+              scale * (law.over_field * identity<dim, Number>() +
+                       (-law.anisotropy) * outer(field, field)),
+              scale * law.coenergy};
+    }
   } // namespace internal
 
   /**
    * Magnetization of a medium, its derivative and its coenergy.
    *   linear:    M = chi_0 H,  psi = chi_0/2 |H|^2;
    *   Langevin:  M = M_s L(a) H/|H|,  a = k2 |H|,  k2 = 3 chi_0/M_s,  psi = M_s/k2 ln(sinh(a)/a),
-   * the latter for superparamagnetic media, Eq. (5) of Sun et al. 2021. dM/dH is symmetric positive
+   * the latter for superparamagnetic media, Eq. (5) of Sun et al. 2021;
+   *   table:     M = chi_0/chi_c M_c(|H|) H/|H|,  M_c and chi_c its curve and that curve's slope at 0.
+   * dM/dH is symmetric positive
    * semidefinite for every H, which makes the Newton matrix of the potential positive definite
    * (appendix A.1). No cancellation and no overflow from a = 0 to 1e150; H may be zero, and so may
    * the content, which gives zeros.
@@ -89,12 +121,15 @@ namespace magmpm
    */
   template <int dim, typename Number>
   inline MagneticResponse<dim, Number>
-  magnetic_response(const MagnetizationLaw law,
+  magnetic_response(const MagnetizationModel &model,
                     const MagneticContentOf<Number> &content,
                     const Vector<dim, Number> &field)
   {
-    return law == MagnetizationLaw::linear ? internal::linear_response(content, field)
-                                           : internal::langevin_response(content, field);
+    if (model.law == MagnetizationLaw::linear)
+      return internal::linear_response(content, field);
+    if (model.law == MagnetizationLaw::table)
+      return internal::curve_response(*model.curve, content, field);
+    return internal::langevin_response(content, field);
   }
 
   /** d.M [A/m] and d.(dM/dH) d for a vector d, cheaper than all of M and its derivative. */
@@ -107,15 +142,23 @@ namespace magmpm
 
   template <int dim, typename Number>
   inline DirectionalResponse<Number>
-  directional_response(const MagnetizationLaw law,
+  directional_response(const MagnetizationModel &model,
                        const MagneticContentOf<Number> &content,
                        const Vector<dim, Number> &direction,
                        const Vector<dim, Number> &field)
   {
     const Number along  = dot(direction, field);
     const Number square = norm_square(direction);
-    if (law == MagnetizationLaw::linear)
+    if (model.law == MagnetizationLaw::linear)
       return {content.initial_susceptibility * along, content.initial_susceptibility * square};
+    if (model.law == MagnetizationLaw::table)
+      {
+        const Number scale = (1. / model.curve->initial_susceptibility()) *
+                             content.initial_susceptibility;
+        const auto curve = model.curve->template evaluate<false>(norm_square(field));
+        return {scale * curve.over_field * along,
+                scale * (curve.over_field * square - curve.anisotropy * along * along)};
+      }
     const auto [chi, a]    = internal::langevin_argument(content, field);
     const auto langevin    = langevin_function<false>(norm_square(a));
     const Number projected = dot(direction, a);
@@ -126,12 +169,16 @@ namespace magmpm
   /** M [A/m] alone, cheaper. */
   template <int dim, typename Number>
   inline Vector<dim, Number>
-  magnetization(const MagnetizationLaw law,
+  magnetization(const MagnetizationModel &model,
                 const MagneticContentOf<Number> &content,
                 const Vector<dim, Number> &field)
   {
-    if (law == MagnetizationLaw::linear)
+    if (model.law == MagnetizationLaw::linear)
       return content.initial_susceptibility * field;
+    if (model.law == MagnetizationLaw::table)
+      return ((1. / model.curve->initial_susceptibility()) * content.initial_susceptibility *
+              model.curve->template evaluate<false>(norm_square(field)).over_field) *
+             field;
     const auto [chi, a] = internal::langevin_argument(content, field);
     return (chi * langevin_function<false>(norm_square(a)).over_argument) * field;
   }

@@ -15,7 +15,8 @@ namespace magmpm
   enum class MagnetizationLaw
   {
     linear,
-    langevin
+    langevin,
+    table ///< a curve of points, see MagnetizationCurve
   };
 
   /**

@@ -38,4 +38,9 @@ namespace magmpm
   template <int dim>
   void
   advance_carried_force(const double way, Body<dim> &body);
+
+  /** Makes an end of it: particles carry no magnetic force and know no field. */
+  template <int dim>
+  void
+  drop_carried_force(Body<dim> &body);
 } // namespace magmpm

@@ -59,7 +59,7 @@ namespace magmpm
   particle_sums(const Body<dim> &body,
                 const Lattice<dim> &lattice,
                 const Vector<dim> &gravity,
-                const MagnetizationLaw law);
+                const MagnetizationModel &law);
 
   /** Keeps the positions of a magnetic body's particles, for way_since_solve(). */
   template <int dim>
@@ -74,7 +74,7 @@ namespace magmpm
   /** M [A/m] of a particle in the field H of the last solve: its grains in its present volume. */
   template <int dim>
   Vector<dim>
-  particle_magnetization(const Body<dim> &body, const MagnetizationLaw law, const std::size_t p);
+  particle_magnetization(const Body<dim> &body, const MagnetizationModel &law, const std::size_t p);
 
   /** J of a particle. */
   template <int dim>

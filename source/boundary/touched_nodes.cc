@@ -1,0 +1,146 @@
+#include <magmpm/boundary/touched_nodes.h>
+
+#include <cmath>
+
+namespace magmpm
+{
+  namespace
+  {
+    /** The radius of the ball around a block that holds its nodes, and its centre [m]. */
+    template <int dim>
+    double
+    block_radius(const Lattice<dim> &lattice)
+    {
+      return 0.5 * (block_edge - 1) * lattice.spacing * std::sqrt(static_cast<double>(dim));
+    }
+
+    template <int dim>
+    Vector<dim>
+    block_centre(const Lattice<dim> &lattice, const Index<dim> &block)
+    {
+      Vector<dim> centre = lattice.node_position(node_of_block<dim>(block, 0));
+      for (int d = 0; d < dim; ++d)
+        centre[d] += 0.5 * (block_edge - 1) * lattice.spacing;
+      return centre;
+    }
+  } // namespace
+
+  template <int dim>
+  TouchedNodes<dim>::TouchedNodes(const std::vector<RigidBody<dim>> &bodies,
+                                  const BlockSet<dim> &blocks,
+                                  const Lattice<dim> &lattice,
+                                  const double negligible_mass,
+                                  const NodeField<dim> &field)
+  {
+    std::vector<int> near;
+    for (int slot = 0; slot < blocks.n_owned(); ++slot)
+      {
+        near.clear();
+        for (std::size_t b = 0; b < bodies.size(); ++b)
+          if (bodies[b].is_free() && bodies[b].contact().condition != ContactCondition::none &&
+              bodies[b].is_near(block_centre<dim>(lattice, blocks.block(slot)),
+                                block_radius(lattice)))
+            near.push_back(static_cast<int>(b));
+        for (int n = 0; n < nodes_per_block<dim> && !near.empty(); ++n)
+          {
+            const double *values = field.node(slot, n);
+            if (values[n_lanes - 1] > negligible_mass)
+              add_if_touched(bodies,
+                             near,
+                             lattice.node_position(node_of_block<dim>(blocks.block(slot), n)),
+                             {slot, n, 0, {}, {}, {}, values[n_lanes - 1], {}},
+                             values);
+          }
+      }
+  }
+
+  template <int dim>
+  void
+  TouchedNodes<dim>::add_if_touched(const std::vector<RigidBody<dim>> &bodies,
+                                    const std::vector<int> &near,
+                                    const Vector<dim> &position,
+                                    Node node,
+                                    const double *velocity)
+  {
+    double deepest = 0.;
+    for (const int b : near)
+      {
+        if (!bodies[b].is_near(position, 0.))
+          continue;
+        const SurfaceDistance<dim> nearest = bodies[b].surface_distance(position);
+        if (nearest.distance >= deepest)
+          continue;
+        deepest          = nearest.distance;
+        node.body        = b;
+        node.from_centre = position - bodies[b].pose().position;
+        node.normal      = nearest.normal;
+      }
+    if (deepest == 0.)
+      return;
+    for (int d = 0; d < dim; ++d)
+      node.velocity[d] = velocity[d];
+    nodes.push_back(node);
+  }
+
+  template <int dim>
+  void
+  TouchedNodes<dim>::update_shares(const std::vector<RigidBody<dim>> &bodies,
+                                   const std::vector<RigidVector<dim>> &motions)
+  {
+    for (Node &node : nodes)
+      node.share = contact_share(
+        bodies[node.body].contact(),
+        node.normal,
+        node.velocity - motion_of<dim>(motions[node.body]).velocity_at(node.from_centre));
+  }
+
+  template <int dim>
+  void
+  TouchedNodes<dim>::add_to(std::vector<RigidEquation<dim>> &equations) const
+  {
+    const auto add = [](RigidEquation<dim> &equation,
+                        const Node &node,
+                        const double share,
+                        const Vector<dim> &direction) {
+      const RigidVector<dim> row = momentum_of(direction, node.from_centre);
+      const double mass          = share * node.mass;
+      equation.inertia += mass * outer(row, row);
+      equation.momentum += (mass * dot(direction, node.velocity)) * row;
+    };
+    for (const Node &node : nodes)
+      {
+        if (node.share.normal == 0.)
+          continue;
+        RigidEquation<dim> &equation = equations[node.body];
+        add(equation, node, node.share.normal - node.share.tangential, node.normal);
+        for (int d = 0; d < dim && node.share.tangential > 0.; ++d)
+          {
+            Vector<dim> direction;
+            direction[d] = 1.;
+            add(equation, node, node.share.tangential, direction);
+          }
+      }
+  }
+
+  template <int dim>
+  void
+  TouchedNodes<dim>::apply(const std::vector<RigidVector<dim>> &motions,
+                           const BlockSet<dim> &blocks,
+                           const LatticeBoundary<dim> &boundary,
+                           NodeField<dim> &field) const
+  {
+    for (const Node &node : nodes)
+      {
+        const Vector<dim> relative =
+          node.velocity - motion_of<dim>(motions[node.body]).velocity_at(node.from_centre);
+        const Vector<dim> velocity =
+          boundary.constrained(node_of_block<dim>(blocks.block(node.slot), node.number),
+                               node.velocity - taken_by(node.share, node.normal, relative));
+        for (int d = 0; d < dim; ++d)
+          field.node(node.slot, node.number)[d] = velocity[d];
+      }
+  }
+
+  template class TouchedNodes<2>;
+  template class TouchedNodes<3>;
+} // namespace magmpm

@@ -1,0 +1,103 @@
+#include <deal.II/base/mpi.h>
+
+#include <magmpm/base/exceptions.h>
+#include <magmpm/io/rigid_body_output.h>
+#include <magmpm/io/vtu_file.h>
+
+#include <filesystem>
+
+namespace magmpm
+{
+  namespace
+  {
+    const std::string subfolder = "rigid_bodies";
+
+    /** The numbers that VTK gives lines and triangles. */
+    constexpr int line = 3, triangle = 5;
+  } // namespace
+
+  template <int dim>
+  RigidBodyOutput<dim>::RigidBodyOutput(const MPI_Comm communicator,
+                                        const std::string &directory,
+                                        const ExternalField<dim> &sources,
+                                        const RigidBodies<dim> &bodies,
+                                        const double spacing)
+    : communicator(communicator)
+    , directory(directory)
+    , sources(sources)
+    , bodies(bodies)
+    , record(directory + "/" + subfolder + ".pvd")
+  {
+    const int n_sources = static_cast<int>(sources.sources().size());
+    for (int s = 0; s < n_sources; ++s)
+      if (const Shape<dim> *shape = sources.sources()[s]->shape())
+        things.push_back({s, shape->surface_mesh(spacing)});
+    for (std::size_t b = 0; b < bodies.all().size(); ++b)
+      if (!bodies.source_of(b))
+        {
+          things.push_back({n_sources + static_cast<int>(body_numbers.size()),
+                            bodies.all()[b].shape().surface_mesh(spacing)});
+          body_numbers.push_back(b);
+        }
+
+    // All ranks learn of a failure: one that threw alone would leave the others waiting.
+    int is_made                        = 1;
+    const std::filesystem::path folder = std::filesystem::path(directory) / subfolder;
+    if (!things.empty() && dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+      {
+        std::error_code error;
+        std::filesystem::create_directories(folder, error);
+        is_made = !error;
+      }
+    if (dealii::Utilities::MPI::min(is_made, communicator) == 0)
+      throw RunError("The folder '" + folder.string() +
+                     "' for the rigid bodies cannot be made. Are you allowed to write there?");
+  }
+
+  template <int dim>
+  Pose<dim>
+  RigidBodyOutput<dim>::pose_of(const Thing &thing) const
+  {
+    const int n_sources = static_cast<int>(sources.sources().size());
+    return thing.number < n_sources
+             ? sources.sources()[thing.number]->pose()
+             : bodies.all()[body_numbers[thing.number - n_sources]].pose_of_shape();
+  }
+
+  template <int dim>
+  void
+  RigidBodyOutput<dim>::write_frame(const unsigned int frame, const double time)
+  {
+    if (things.empty())
+      return;
+    VtuPiece piece;
+    piece.points_per_cell = dim;
+    piece.cell_type       = dim == 2 ? line : triangle;
+    piece.quantities.push_back({"body [-]", 1, {}});
+    const bool is_writer = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
+    for (const Thing &thing : things)
+      {
+        if (!is_writer)
+          break;
+        const int first      = static_cast<int>(piece.points.size() / 3);
+        const Pose<dim> pose = pose_of(thing);
+        for (const Vector<dim> &own : thing.surface.points)
+          {
+            const Vector<dim> point = pose.to_world(own);
+            for (int d = 0; d < 3; ++d)
+              piece.points.push_back(d < dim ? static_cast<float>(point[d]) : 0.f);
+            piece.quantities[0].values.push_back(static_cast<float>(thing.number));
+          }
+        for (const auto &facet : thing.surface.facets)
+          for (const int corner : facet)
+            piece.cells.push_back(first + corner);
+      }
+    const std::string file =
+      write_vtu(communicator, directory + "/" + subfolder, subfolder, {frame, time}, piece);
+    if (is_writer)
+      record.add(time, subfolder + "/" + file);
+  }
+
+  template class RigidBodyOutput<2>;
+  template class RigidBodyOutput<3>;
+} // namespace magmpm

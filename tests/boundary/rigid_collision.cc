@@ -1,0 +1,362 @@
+#include <magmpm/base/constants.h>
+#include <magmpm/boundary/rigid_collision.h>
+
+#include "catch.h"
+
+#include <algorithm>
+#include <random>
+
+using namespace magmpm;
+
+namespace
+{
+  constexpr int edge = 16; ///< of the box in cells
+
+  template <int dim>
+  Lattice<dim>
+  test_lattice()
+  {
+    Lattice<dim> lattice;
+    lattice.spacing = 0.1;
+    lattice.n_cells.fill(edge);
+    return lattice;
+  }
+
+  template <int dim>
+  BlockSet<dim>
+  all_blocks()
+  {
+    std::vector<Index<dim>> blocks;
+    for (int i = 0; i < power(edge / block_edge, dim); ++i)
+      {
+        Index<dim> block;
+        for (int d = 0, rest = i; d < dim; ++d, rest /= edge / block_edge)
+          block[d] = rest % (edge / block_edge);
+        blocks.push_back(block);
+      }
+    const int n_owned = static_cast<int>(blocks.size());
+    return BlockSet<dim>(blocks, n_owned);
+  }
+
+  template <int dim>
+  WallParameters<dim>
+  all_walls(const WallCondition condition)
+  {
+    WallParameters<dim> walls;
+    walls.condition.fill(condition);
+    return walls;
+  }
+
+  template <int dim>
+  Vector<dim>
+  filled(const double value)
+  {
+    Vector<dim> result;
+    for (int d = 0; d < dim; ++d)
+      result[d] = value;
+    return result;
+  }
+
+  template <int dim>
+  RigidBody<dim>
+  free_ball(const Vector<dim> &centre,
+            const double radius,
+            const double mass,
+            const SurfaceContact &contact)
+  {
+    ShapeParameters<dim> parameters;
+    parameters.type   = ShapeType::sphere;
+    parameters.centre = centre;
+    parameters.radius = radius;
+    RigidBody<dim> body("ball", make_shape(parameters), contact);
+    body.set_free(mass);
+    return body;
+  }
+
+  /** Nodes of random mass and velocity everywhere but on the walls. */
+  template <int dim>
+  NodeField<dim>
+  random_nodes(const BlockSet<dim> &blocks)
+  {
+    std::mt19937 generator(7);
+    std::uniform_real_distribution<double> number(-1., 1.);
+    NodeField<dim> field;
+    field.reinit(blocks.size());
+    for (int slot = 0; slot < blocks.n_owned(); ++slot)
+      for (int n = 0; n < nodes_per_block<dim>; ++n)
+        {
+          for (int d = 0; d < dim; ++d)
+            field.node(slot, n)[d] = number(generator);
+          field.node(slot, n)[3] = 1.1 + number(generator);
+        }
+    return field;
+  }
+
+  /** Momenta, then angular momenta about the origin, then twice the kinetic energy. */
+  template <int dim>
+  std::pair<RigidVector<dim>, double>
+  momentum_and_energy(const BlockSet<dim> &blocks,
+                      const std::vector<RigidBody<dim>> &bodies,
+                      const NodeField<dim> &field)
+  {
+    RigidVector<dim> momentum;
+    double energy = 0.;
+    for (const RigidBody<dim> &body : bodies)
+      {
+        momentum += momentum_of<dim>(body.mass() * body.motion().velocity, body.pose().position);
+        momentum += rigid_vector<dim>({}, body.angular_momentum());
+        energy += 2. * body.kinetic_energy();
+      }
+    for (int slot = 0; slot < blocks.n_owned(); ++slot)
+      for (int n = 0; n < nodes_per_block<dim>; ++n)
+        {
+          Vector<dim> velocity;
+          std::copy_n(field.node(slot, n), dim, velocity.values);
+          const double mass = field.node(slot, n)[3];
+          momentum += momentum_of<dim>(
+            mass * velocity,
+            test_lattice<dim>().node_position(node_of_block<dim>(blocks.block(slot), n)));
+          energy += mass * norm_square(velocity);
+        }
+    return {momentum, energy};
+  }
+
+  /** Impulses on nodes inside of the first body, their normal and tangential part, and how they end. */
+  struct NodeImpulses
+  {
+    int n_pushed = 0, n_free = 0;
+    double largest_pull    = 0.; ///< of the normal impulses, negative: into the body
+    double largest_inward  = 0.; ///< velocity into the body afterwards
+    double largest_sliding = 0.; ///< velocity along the body afterwards
+    double friction_excess = 0.; ///< tangential over allowed impulse
+  };
+
+  template <int dim>
+  NodeImpulses
+  impulses(const BlockSet<dim> &blocks,
+           const RigidBody<dim> &body,
+           const RigidBody<dim> &other,
+           const NodeField<dim> &before,
+           const NodeField<dim> &after)
+  {
+    NodeImpulses result;
+    for (int slot = 0; slot < blocks.n_owned(); ++slot)
+      for (int n = 0; n < nodes_per_block<dim>; ++n)
+        {
+          const Vector<dim> place =
+            test_lattice<dim>().node_position(node_of_block<dim>(blocks.block(slot), n));
+          const SurfaceDistance<dim> nearest = body.surface_distance(place);
+          Vector<dim> change, velocity;
+          for (int d = 0; d < dim; ++d)
+            {
+              velocity[d] = after.node(slot, n)[d];
+              change[d]   = velocity[d] - before.node(slot, n)[d];
+            }
+          if (nearest.distance >= 0.)
+            {
+              if (other.surface_distance(place).distance >= 0.)
+                CHECK(norm(change) == 0.);
+              continue;
+            }
+          const double pushed          = dot(change, nearest.normal);
+          const Vector<dim> relative   = velocity - body.velocity_at(place);
+          const Vector<dim> tangential = change - pushed * nearest.normal;
+          (norm(change) > 0. ? result.n_pushed : result.n_free) += 1;
+          result.largest_pull   = std::max(result.largest_pull, -pushed);
+          result.largest_inward = std::max(result.largest_inward, -dot(relative, nearest.normal));
+          result.largest_sliding =
+            std::max(result.largest_sliding,
+                     norm(relative - dot(relative, nearest.normal) * nearest.normal));
+          if (pushed > 1e-6)
+            result.friction_excess = std::max(
+              result.friction_excess, norm(tangential) / (body.contact().friction * pushed));
+        }
+    return result;
+  }
+} // namespace
+
+TEMPLATE_TEST_CASE_SIG("an impact of bodies and nodes conserves momentum and angular momentum",
+                       "[boundary]",
+                       ((int dim), dim),
+                       2,
+                       3)
+{
+  // Nodes of random velocity in and around two spinning balls, a light one and one that weighs as
+  // much as the nodes in it, the masses of bodies and nodes in any ratio. Whatever the contact takes
+  // away goes from one to the other: both sums are kept to rounding. Energy may only be lost.
+  const BlockSet<dim> blocks = all_blocks<dim>();
+  for (const ContactCondition condition :
+       {ContactCondition::stick, ContactCondition::slip, ContactCondition::separate})
+    for (const double mass : {1e-6, 1e2, 1e8})
+      {
+        const SurfaceContact contact = {condition, condition == ContactCondition::stick ? 0. : 0.3};
+        std::vector<RigidBody<dim>> bodies = {
+          free_ball<dim>(filled<dim>(0.52), 0.23, mass, contact),
+          free_ball<dim>(filled<dim>(1.08), 0.31, 1e2, contact)};
+        bodies[0].set_motion({filled<dim>(0.5), {{3.}}});
+        bodies[1].set_motion({filled<dim>(-0.2), {{-1.}}});
+        const WallParameters<dim> walls = all_walls<dim>(WallCondition::open);
+        const LatticeBoundary<dim> boundary(test_lattice<dim>(), walls, bodies);
+        const RigidCollision<dim> collision(test_lattice<dim>(), walls, bodies, 0.1);
+        NodeField<dim> field              = random_nodes<dim>(blocks);
+        const NodeField<dim> before_field = field;
+        const auto before                 = momentum_and_energy(blocks, bodies, field);
+        collision.collide(blocks, boundary, 1e-3, 1., MPI_COMM_SELF, bodies, field);
+        const auto after = momentum_and_energy(blocks, bodies, field);
+        CAPTURE(static_cast<int>(condition), mass, norm(before.first), before.second, after.second);
+        CHECK(norm(after.first - before.first) < 1e-12 * (norm(before.first) + before.second));
+        CHECK(after.second < before.second * (1. + 1e-14));
+        CHECK(after.second < 0.999999 * before.second + 1e-4 * mass);
+
+        const NodeImpulses result = impulses(blocks, bodies[0], bodies[1], before_field, field);
+        CHECK(result.n_pushed > 0);
+        const double rounding = 1e-7;
+        if (condition == ContactCondition::stick)
+          CHECK(std::max(result.largest_inward, result.largest_sliding) < rounding);
+        else
+          CHECK(result.largest_inward < rounding);
+        if (condition == ContactCondition::separate)
+          {
+            CHECK(result.largest_pull < rounding);
+            CHECK(result.friction_excess < 1.01);
+            CHECK(result.n_free > 0);
+          }
+      }
+}
+
+TEST_CASE("a body that sticks to all material around moves with its mean velocity", "[boundary]")
+{
+  // Nodes that move rigidly, all with the same velocity and spin, and a body within at rest: if it is
+  // light, it gets their motion; the common one is that of the momenta over masses and inertias.
+  const BlockSet<2> blocks = all_blocks<2>();
+  NodeField<2> field;
+  field.reinit(blocks.size());
+  const Vector<2> centre = {{0.8, 0.8}};
+  double mass_inside = 0., inertia_inside = 0.;
+  std::vector<RigidBody<2>> bodies = {
+    free_ball<2>(centre, 0.35, 3., {ContactCondition::stick, 0.})};
+  for (int slot = 0; slot < blocks.n_owned(); ++slot)
+    for (int n = 0; n < nodes_per_block<2>; ++n)
+      {
+        const Vector<2> arm =
+          test_lattice<2>().node_position(node_of_block<2>(blocks.block(slot), n)) - centre;
+        const Vector<2> velocity = Vector<2>{{1., 2.}} + rotation_velocity<2>({{5.}}, arm);
+        std::copy_n(velocity.values, 2, field.node(slot, n));
+        field.node(slot, n)[3] = 0.1;
+        if (norm(arm) < 0.35)
+          {
+            mass_inside += 0.1;
+            inertia_inside += 0.1 * norm_square(arm);
+          }
+      }
+  const double inertia          = bodies[0].inertia()(0, 0);
+  const WallParameters<2> walls = all_walls<2>(WallCondition::open);
+  const LatticeBoundary<2> boundary(test_lattice<2>(), walls, bodies);
+  RigidCollision<2>(test_lattice<2>(), walls, bodies, 0.1)
+    .collide(blocks, boundary, 1e-3, 1., MPI_COMM_SELF, bodies, field);
+  CHECK(bodies[0].motion().velocity[0] == Approx(mass_inside / (mass_inside + 3.)));
+  CHECK(bodies[0].motion().velocity[1] == Approx(2. * mass_inside / (mass_inside + 3.)));
+  CHECK(bodies[0].motion().angular_velocity[0] ==
+        Approx(5. * inertia_inside / (inertia_inside + inertia)));
+}
+
+namespace
+{
+  /** Bodies among themselves and within walls, without material. */
+  template <int dim>
+  struct Arena
+  {
+    Arena(const std::vector<RigidBody<dim>> &bodies_at_start, const WallCondition condition)
+      : bodies(bodies_at_start)
+      , walls(all_walls<dim>(condition))
+      , boundary(test_lattice<dim>(), walls, bodies)
+      , collision(test_lattice<dim>(), walls, bodies, 0.05)
+    {
+    }
+
+    void
+    step(const double time_step, const std::vector<Vector<dim>> &accelerations)
+    {
+      for (std::size_t b = 0; b < bodies.size(); ++b)
+        if (bodies[b].is_free())
+          bodies[b].add_impulse((time_step * bodies[b].mass()) * accelerations[b], {});
+      collision.collide(blocks, boundary, time_step, 1., MPI_COMM_SELF, bodies, field);
+      for (RigidBody<dim> &body : bodies)
+        if (body.is_free())
+          body.advance(time_step);
+    }
+
+    std::vector<RigidBody<dim>> bodies;
+    const WallParameters<dim> walls;
+    const BlockSet<dim> blocks;
+    NodeField<dim> field;
+    const LatticeBoundary<dim> boundary;
+    const RigidCollision<dim> collision;
+  };
+
+  template <int dim>
+  RigidBody<dim>
+  free_box(const Vector<dim> &lower, const Vector<dim> &upper, const double friction)
+  {
+    ShapeParameters<dim> parameters;
+    parameters.lower_corner = lower;
+    parameters.upper_corner = upper;
+    RigidBody<dim> body("box", make_shape(parameters), {ContactCondition::slip, friction});
+    body.set_free(2.);
+    return body;
+  }
+} // namespace
+
+TEST_CASE("a falling body comes to rest on a wall", "[boundary]")
+{
+  // A box falls by 0.5 m onto the floor, restitution 0. It lies there without motion, neither above
+  // the floor nor deeper in it than a hundredth of a cell.
+  Arena<3> arena({free_box<3>({{0.5, 0.5, 0.5}}, {{0.9, 0.8, 0.7}}, 0.)}, WallCondition::slip);
+  for (int step = 0; step < 1000; ++step)
+    arena.step(1e-3, {{{0., 0., -10.}}});
+  const RigidBody<3> &box = arena.bodies[0];
+  CHECK(box.pose().position[2] < 0.1 + 1e-6);
+  CHECK(box.pose().position[2] > 0.1 - 0.001 - 1e-9);
+  CHECK(box.max_speed() < 1e-6);
+  CHECK(frobenius_norm(box.pose().rotation + (-1.) * identity<3>()) < 1e-6);
+}
+
+TEST_CASE("friction stops a sliding body after v^2/(2 mu g)", "[boundary]")
+{
+  // A box slides on the floor at 1 m/s with a coefficient of 0.5: Coulomb's law stops it after 0.1 m;
+  // without friction it goes on. It is flat, so that it does not tip over.
+  const auto way = [](const double friction, const double time) {
+    Arena<2> arena({free_box<2>({{0.2, 0.}}, {{0.6, 0.1}}, friction)}, WallCondition::slip);
+    arena.bodies[0].set_motion({{{1., 0.}}, {}});
+    for (double t = 0.; t < time; t += 1e-3)
+      arena.step(1e-3, {{{0., -10.}}});
+    return arena.bodies[0].pose().position[0] - 0.4;
+  };
+  CHECK(way(0.5, 0.5) == Approx(0.1).epsilon(0.01));
+  CHECK(way(0., 0.5) == Approx(0.5).epsilon(0.01));
+}
+
+TEST_CASE("two equal bodies pulled together come to rest in contact", "[boundary]")
+{
+  // Two balls pulled to each other by equal forces, off the axes of the lattice. Their momentum stays
+  // zero to rounding, they touch and stay: centres two radii apart but for the facets of the sampled
+  // surface, spacing^2/(8 R) = 2e-3 m, and the tolerated overlap of 1e-3 m.
+  const Vector<3> pull = {{6., 4., 3.}};
+  const Vector<3> half = (0.4 / norm(pull)) * pull, middle = {{0.8, 0.8, 0.8}};
+  const SurfaceContact contact = {ContactCondition::separate, 0.2};
+  Arena<3> arena({free_ball<3>(middle - half, 0.15, 2., contact),
+                  free_ball<3>(middle + half, 0.15, 2., contact)},
+                 WallCondition::open);
+  double fastest = 0.;
+  for (int step = 0; step < 1000; ++step)
+    {
+      arena.step(1e-3, {pull, (-1.) * pull});
+      fastest = std::max(fastest, norm(arena.bodies[0].motion().velocity));
+    }
+  const RigidBody<3> &one = arena.bodies[0], &other = arena.bodies[1];
+  CHECK(fastest > 1.9);
+  CHECK(norm(one.motion().velocity + other.motion().velocity) < 1e-12);
+  CHECK(norm(other.pose().position - one.pose().position) > 0.3 - 4e-3);
+  CHECK(norm(other.pose().position - one.pose().position) < 0.3 + 1e-3);
+  CHECK(norm(other.motion().velocity) < 1e-2);
+}

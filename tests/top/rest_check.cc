@@ -1,0 +1,36 @@
+#include "catch.h"
+
+#include <magmpm/rest_check.h>
+
+using namespace magmpm;
+
+TEST_CASE("rest must last to end a run", "[top]")
+{
+  // Slower than 0.1 m/s from t = 1 on, for 0.5 s; a moment of speed in between begins it anew.
+  RestParameters parameters;
+  parameters.stops    = true;
+  parameters.speed    = 0.1;
+  parameters.duration = 0.5;
+  const RestCheck rest(parameters);
+  RunState state;
+  const auto look = [&](const double time, const double speed) {
+    state.time = time;
+    rest.note_speed(speed * speed, state);
+    return rest.is_over(state);
+  };
+  CHECK_FALSE(look(0.9, 0.2));
+  CHECK_FALSE(look(1., 0.09));
+  CHECK_FALSE(look(1.4, 0.));
+  CHECK_FALSE(look(1.45, 0.1)); // not below
+  CHECK_FALSE(look(1.6, 0.05));
+  CHECK_FALSE(look(2., 0.05));
+  CHECK(look(2.1, 0.05));
+
+  // Whoever does not ask for it does not get it, and nobody looks.
+  CHECK_FALSE(RestCheck(RestParameters()).is_over(state));
+  state.step = 10;
+  CHECK(rest.is_due(state));
+  CHECK_FALSE(RestCheck(RestParameters()).is_due(state));
+  state.step = 11;
+  CHECK_FALSE(rest.is_due(state));
+}
