@@ -13,7 +13,7 @@ namespace magmpm
   namespace
   {
     /** How deep particles may lie in a rigid body: those pressed against it do, by less than this. */
-    constexpr double tolerated_depth = 0.05; // of dx
+    constexpr double tolerated_depth = 0.5; // of dx
 
     /** Points of the bodies' surfaces where they touch each other. */
     constexpr double spacing_of_points = 1.; // dx

@@ -266,9 +266,13 @@ TEST_CASE("All parameter files are valid and survive a round trip", "[io]")
       INFO(path.filename());
       const ParameterFile file = read_parameter_file(path.string());
       if (read_dimension(file) == 2)
-        round_trip(read_parameters<2>(file), [](const std::string &text) { return read<2>(text); });
+        round_trip(read_parameters<2>(file), [&](const std::string &text) {
+          return read_parameters<2>(parse_parameter_text(text, path.string()));
+        });
       else
-        round_trip(read_parameters<3>(file), [](const std::string &text) { return read<3>(text); });
+        round_trip(read_parameters<3>(file), [&](const std::string &text) {
+          return read_parameters<3>(parse_parameter_text(text, path.string()));
+        });
     }
 }
 

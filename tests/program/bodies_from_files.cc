@@ -191,7 +191,7 @@ TEST_CASE("A body from a list of points, on 1 and 2 ranks", "[program]")
   const Outcome outside = run_magmpm("--validate ring.prm");
   CHECK(outside.exit_code == 2);
   CHECK(
-    outside.errors.find("Bodies/body/File = ring.csv: the point of line 502, at (5.15, 5.16) m in "
+    outside.errors.find("Bodies/body/File = ring.csv: the point of line 502, at 5.15, 5.16 m in "
                         "the scene, is not inside the box. Move the points with Scale, Rotation or "
                         "Translation, or enlarge the box.") != std::string::npos);
 }

@@ -179,7 +179,7 @@ namespace
   square_and_magnet(const std::string &magnetization, const std::string &lines)
   {
     SmallScene scene;
-    scene.end_time = "0.06";
+    scene.end_time = "0.042";
     scene.add_box("square", "rubber", "0.16, 0.1", "0.24, 0.18");
     scene.add_solid(
       "rubber", "1e5", "set Saturation magnetization = 4e5\nset Initial susceptibility = 2\n");
@@ -196,8 +196,8 @@ namespace
 TEST_CASE("Material and a free magnet do to each other what Newton's third law says", "[program]")
 {
   // The forces on a magnetized square and on the magnet beside it, oblique, add up to zero but for what
-  // the square does to itself, and so do momentum and angular momentum of both, from rest: below 2 % of
-  // what each of them has. With no magnetization nothing moves.
+  // the square does to itself, and so do momentum and angular momentum of both, from rest, until
+  // they meet: below 2 % of what each of them has. With no magnetization nothing moves.
   const Statistics statistics = statistics_of(
     "third-law", square_and_magnet("6e5; 4e5", "set Free = true\nset Density = 3000\n"));
   const double radius = 0.03, mass = 3000. * pi * radius * radius;

@@ -43,13 +43,8 @@ namespace magmpm
   {
     std::uintmax_t statistics_size = 0; ///< [bytes]
     /** Time [s] and file of each. */
-<<<<<<< HEAD
     std::vector<std::pair<double, std::string>> particle_frames, field_frames, rigid_body_frames,
       surface_frames;
-=======
-    std::vector<std::pair<double, std::string>> particle_frames, field_frames, surface_frames,
-      rigid_body_frames;
->>>>>>> w1
     unsigned int n_solves = 0; ///< of the potential, until the last line of the log
 
     template <typename Archive>
@@ -59,13 +54,8 @@ namespace magmpm
       archive &statistics_size;
       archive &particle_frames;
       archive &field_frames;
-<<<<<<< HEAD
       archive &rigid_body_frames;
       archive &surface_frames;
-=======
-      archive &surface_frames;
-      archive &rigid_body_frames;
->>>>>>> w1
       archive &n_solves;
     }
   };
@@ -166,13 +156,9 @@ namespace magmpm
     StatisticsFile statistics;
     ParticleOutput<dim> particle_output;
     std::unique_ptr<FieldOutput<dim>> field_output;          ///< null without magnetic material
-    std::unique_ptr<SurfaceOutput<dim>> surface_output;      ///< null if not wanted
     std::unique_ptr<RigidBodyOutput<dim>> rigid_body_output; ///< null before the first frame
     std::vector<std::pair<double, std::string>> earlier_rigid_body_frames; ///< of a resumed run
-<<<<<<< HEAD
     std::unique_ptr<SurfaceOutput<dim>> surface_output;                    ///< null if not wanted
-=======
->>>>>>> w1
 
     std::map<std::string, double> seconds_before; ///< the last row, by phase
     unsigned int solves_before = 0;               ///< the last line of the log
