@@ -1,6 +1,7 @@
 #include "catch.h"
 
 #include <mechanics/surface_growth.h>
+#include <mechanics/wire_meniscus.h>
 
 #include <cmath>
 
@@ -49,4 +50,19 @@ TEST_CASE("A magnetized surface swings below the cut-off and without field", "[p
       omega[i] = std::sqrt(-growth.measured_square);
     }
   CHECK(omega[1] < 0.92 * omega[0]);
+}
+
+TEST_CASE("Ferrofluid stands higher round a wire with a current", "[program]")
+{
+  // The conical meniscus: heights differ by mu_0 int M dH/(rho g). On 16^2 cells it is 6 % too much (on
+  // 32^2, in the benchmark wire_meniscus, within 1 %); so the margin is 10 %. Without current the
+  // pool stays flat, but for what the walls do to it.
+  WireMeniscus pool;
+  pool.cells                    = 16;
+  const MeniscusHeights heights = meniscus_heights(pool);
+  INFO("height " << heights.measured << ", exact " << heights.exact);
+  CHECK(heights.exact > 0.05);
+  CHECK(std::abs(heights.measured / heights.exact - 1.) < 0.1);
+  pool.current = 0.;
+  CHECK(std::abs(meniscus_heights(pool).measured) < 0.1 * heights.exact);
 }
