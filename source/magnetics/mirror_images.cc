@@ -79,7 +79,9 @@ namespace magmpm
               if (block_edge * blocks.block(slot)[axis] == wall)
                 reflect_in_block(blocks, slot, axis, is_lower, image, field);
           }
-      partition.update_ghosts(field);
+      // Those of forces are zero: what is handed over between nodes is summed there.
+      if (image != Image::add_vector)
+        partition.update_ghosts(field);
     }
   } // namespace
 

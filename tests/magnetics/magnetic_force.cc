@@ -1,3 +1,5 @@
+#include <deal.II/base/mpi.h>
+
 #include "catch.h"
 #include "scene.h"
 
@@ -187,8 +189,10 @@ TEMPLATE_TEST_CASE_SIG("A layer between mirrors does not feel them",
 {
   std::array<bool, 2 * dim> shielded;
   shielded.fill(true);
-  constexpr int n_cells = 16;
-  Scene<dim> scene(n_cells, spacing, 2., linear_law<dim>(), shielded);
+  constexpr int n_cells                = 16;
+  MagneticsParameters<dim> exact_solve = linear_law<dim>();
+  exact_solve.newton_tolerance         = 1e-14;
+  Scene<dim> scene(n_cells, spacing, 2., exact_solve, shielded);
   Vector<dim> lower, upper, field;
   for (int d = 0; d < dim; ++d)
     upper[d] = n_cells * spacing;
@@ -225,6 +229,7 @@ TEMPLATE_TEST_CASE_SIG("A layer between mirrors does not feel them",
     for (int d = 0; d < dim - 1; ++d)
       across = std::max(across, std::abs(f[d]) / mass);
   });
+  largest = dealii::Utilities::MPI::max(largest, MPI_COMM_WORLD);
   REQUIRE(largest > 0.);
   CHECK(across < 1e-9 * largest);
   for (const auto &row : rows)

@@ -34,6 +34,8 @@ namespace magmpm
    * The same for the first dim lanes as a vector, of which a mirror turns the component along its normal
    * around: f_i <- f_i + R f_(-i). That component is zero on the wall. Forces that were integrated over
    * the near side of the wall become those of material on both sides.
+   *
+   * @param field  ghosts zero, before and after.
    */
   template <int dim>
   void
