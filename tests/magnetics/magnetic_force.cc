@@ -37,8 +37,8 @@ namespace
   }
 } // namespace
 
-// A body in a uniform field is pulled apart but not away: the net force is zero. What is left is the
-// force that the far field of the body leaves on nodes beyond the two layers, and is counted.
+// A body in a uniform field is pulled apart but not away: the net force is zero. What is left is
+// the force that the far field of the body leaves on nodes beyond the two layers, and is counted.
 TEMPLATE_TEST_CASE_SIG("There is no net force in a uniform field",
                        "[magnetics][mpi]",
                        ((int dim), dim),
@@ -61,8 +61,9 @@ TEMPLATE_TEST_CASE_SIG("There is no net force in a uniform field",
   CHECK(norm(force.total + force.dropped) < 5e-4 * force.absolute);
 }
 
-// Far from a magnet a small linear sphere feels mu_0 (m.grad) H with m its dipole moment. The moment
-// is the computed one, U = -mu_0/2 m.H, so that this tests the force and not the smeared interface.
+// Far from a magnet a small linear sphere feels mu_0 (m.grad) H with m its dipole moment. The
+// moment is the computed one, U = -mu_0/2 m.H, so that this tests the force and not the smeared
+// interface.
 TEMPLATE_TEST_CASE_SIG("A small sphere is drawn like a dipole",
                        "[magnetics][mpi]",
                        ((int dim), dim),
@@ -90,8 +91,8 @@ TEMPLATE_TEST_CASE_SIG("A small sphere is drawn like a dipole",
   CHECK(norm(force.total - exact) < 0.02 * norm(exact));
 }
 
-// The force is what the energy loses on the way: U(b) - U(a) = -int F dx. Over two steps of 2 dx, the
-// period of the mesh, with Simpson's rule.
+// The force is what the energy loses on the way: U(b) - U(a) = -int F dx. Over two steps of 2 dx,
+// the period of the mesh, with Simpson's rule.
 TEMPLATE_TEST_CASE_SIG("The force is the derivative of the energy",
                        "[magnetics][mpi]",
                        ((int dim), dim),
@@ -117,11 +118,11 @@ TEMPLATE_TEST_CASE_SIG("The force is the derivative of the energy",
   CHECK(energy[2] - energy[0] == Approx(-work).epsilon(5e-3));
 }
 
-// An oblique ellipse (2D) or spheroid (3D) turns into the field, mu_0 m x H_0. All of its torque comes from
-// the antisymmetric part of h (x) (h + M): a transposed tensor would turn the body the wrong way. The
-// moment m = A H_0 is known from the energy, U = -mu_0/2 H_0.A H_0: with the field along x, y and x + y,
-// A_xy is in the difference. That of an ellipsoid, chi/(1 + N chi) along each axis, is missed by the
-// smeared interface, more so at the sharp ends.
+// An oblique ellipse (2D) or spheroid (3D) turns into the field, mu_0 m x H_0. All of its torque
+// comes from the antisymmetric part of h (x) (h + M): a transposed tensor would turn the body the
+// wrong way. The moment m = A H_0 is known from the energy, U = -mu_0/2 H_0.A H_0: with the field
+// along x, y and x + y, A_xy is in the difference. That of an ellipsoid, chi/(1 + N chi) along each
+// axis, is missed by the smeared interface, more so at the sharp ends.
 TEMPLATE_TEST_CASE_SIG("An oblique spheroid turns into the field",
                        "[magnetics][mpi]",
                        ((int dim), dim),
@@ -177,10 +178,10 @@ TEMPLATE_TEST_CASE_SIG("An oblique spheroid turns into the field",
   CHECK(torque == Approx(exact).epsilon(0.2));
 }
 
-// A layer between shielded side walls, in a field along them, is a piece of an endless one: the same
-// acceleration on every node of a row that lies alike in its cell of the potential (of 2 dx), none
-// across the walls. What the quadrature leaves out behind the mirrors would push the layer against
-// them, with all of mu_0 M^2/2.
+// A layer between shielded side walls, in a field along them, is a piece of an endless one: the
+// same acceleration on every node of a row that lies alike in its cell of the potential (of 2 dx),
+// none across the walls. What the quadrature leaves out behind the mirrors would push the layer
+// against them, with all of mu_0 M^2/2.
 TEMPLATE_TEST_CASE_SIG("A layer between mirrors does not feel them",
                        "[magnetics][mpi]",
                        ((int dim), dim),

@@ -67,11 +67,11 @@ namespace
   }
 } // namespace
 
-// The dragon of meshes/, named relative to the folder of the parameter file, half as large again and
-// turned by 90 degrees about z: particles of (dx/2)^3 with its volume, 364.8 cm^3 times 1.5^3, among
-// them up to 1 %; along y, where it now looks, from end to end; the same particles on 2 ranks, and the
-// same surface of them. That encloses less than they fill, since limbs and wings are 1 to 3 dx thick
-// (doc/algorithm.md), but not less than 4/5.
+// The dragon of meshes/, named relative to the folder of the parameter file, half as large again
+// and turned by 90 degrees about z: particles of (dx/2)^3 with its volume, 364.8 cm^3 times 1.5^3,
+// among them up to 1 %; along y, where it now looks, from end to end; the same particles on 2
+// ranks, and the same surface of them. That encloses less than they fill, since limbs and wings are
+// 1 to 3 dx thick (doc/algorithm.md), but not less than 4/5.
 TEST_CASE("A body from a mesh, on 1 and 2 ranks", "[program]")
 {
   std::filesystem::create_directories("scene-folder");
@@ -148,9 +148,9 @@ TEST_CASE("Messages on the files of bodies", "[program]")
                      "its 3 triangles, 3 edges belong to one triangle only") != std::string::npos);
 }
 
-// A ring of points in 2D with a heading and areas: as many particles, with their areas, where the file
-// has them, in its place after Translation; kinetic energy of mass rho A at 1 m/s. Without areas each
-// has the one of a particle, (dx/2)^2. A point outside is named by its line.
+// A ring of points in 2D with a heading and areas: as many particles, with their areas, where the
+// file has them, in its place after Translation; kinetic energy of mass rho A at 1 m/s. Without
+// areas each has the one of a particle, (dx/2)^2. A point outside is named by its line.
 TEST_CASE("A body from a list of points, on 1 and 2 ranks", "[program]")
 {
   const int n = 500;

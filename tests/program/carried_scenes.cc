@@ -1,5 +1,5 @@
-// Scenes in which fluid carries something, or itself over something: the files of parameter_files/ on
-// coarser lattices, and again without their magnets.
+// Scenes in which fluid carries something, or itself over something: the files of parameter_files/
+// on coarser lattices, and again without their magnets.
 
 #include "catch.h"
 #include "program/scene.h"
@@ -14,12 +14,11 @@ namespace
   Statistics
   statistics_of(const std::string &scene, const std::string &name, const std::string &options)
   {
-    const Outcome run =
-      run_magmpm(MAGMPM_SOURCE_DIR "/parameter_files/" + scene +
-                 ".prm --set 'Output directory=output-" + name +
-                 "' --set Output/Particles=false --set Output/Fields=false"
-                 " --set 'Output/Frame interval=0.05' --set 'Checkpoint every=never' " +
-                 options);
+    const Outcome run = run_parameter_file(scene,
+                                           "output-" + name,
+                                           "--set Output/Particles=false"
+                                           " --set 'Output/Frame interval=0.05' " +
+                                             options);
     INFO(name << ": " << run.errors);
     REQUIRE(run.exit_code == 0);
     return Statistics("output-" + name);
@@ -31,8 +30,8 @@ namespace
 TEST_CASE("A lump crawls over magnetic balls, and only falls without them", "[program]")
 {
   // The lump starts beside the first of the balls, which lie along x; the other one falls straight
-  // down. Both have the same mass, so the centre of mass goes half as far along x as the lump. Without
-  // magnets it collapses where it is, evenly to both sides.
+  // down. Both have the same mass, so the centre of mass goes half as far along x as the lump.
+  // Without magnets it collapses where it is, evenly to both sides.
   const std::string coarse = " --set 'Box/Cell size=0.03125' --set 'End time=0.1'";
   const auto crawled       = [&](const std::string &name, const std::string &options) {
     const Statistics statistics = statistics_of("buckyballs", name, coarse + options);
@@ -48,9 +47,9 @@ TEST_CASE("A lump crawls over magnetic balls, and only falls without them", "[pr
 
 TEST_CASE("The surfer is carried at the speed of the fluid", "[program]")
 {
-  // The magnet under the ground draws the fluid along x, and the board sticks to the fluid: in the end
-  // the surfer is about as fast as the fluid on the mean, and has gone about as far, upright. Without
-  // magnet neither moves.
+  // The magnet under the ground draws the fluid along x, and the board sticks to the fluid: in the
+  // end the surfer is about as fast as the fluid on the mean, and has gone about as far, upright.
+  // Without magnet neither moves.
   const std::string coarse = " --set 'Box/Cell size=0.015625' --set 'End time=0.2'"
                              " --set 'Bodies/wave/Particles per edge=2'"
                              " --set 'Bodies/wave/Arrangement=cubic'";

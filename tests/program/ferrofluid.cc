@@ -12,8 +12,8 @@ using namespace magmpm::benchmarks;
 
 TEST_CASE("A magnetized surface grows as fast as Cowley and Rosensweig say", "[program]")
 {
-  // Twice and four times the cut-off: s within 15 %, from a standing start, a/a_0 = cosh(1.2) = 1.8 at the
-  // end; k a stays under 0.3.
+  // Twice and four times the cut-off: s within 15 %, from a standing start, a/a_0 = cosh(1.2) = 1.8
+  // at the end; k a stays under 0.3.
   for (const double over_cutoff : {2., 4.})
     {
       SurfaceWave wave;
@@ -32,8 +32,8 @@ TEST_CASE("A magnetized surface grows as fast as Cowley and Rosensweig say", "[p
 
 TEST_CASE("A magnetized surface swings below the cut-off and without field", "[program]")
 {
-  // The same wave in half the field of the cut-off (k_c/4), and in none, the negative control: it falls,
-  // with the frequency of the same formula within 12 %; the field takes 13 % of it.
+  // The same wave in half the field of the cut-off (k_c/4), and in none, the negative control: it
+  // falls, with the frequency of the same formula within 12 %; the field takes 13 % of it.
   double omega[2];
   for (const int i : {0, 1})
     {
@@ -54,9 +54,9 @@ TEST_CASE("A magnetized surface swings below the cut-off and without field", "[p
 
 TEST_CASE("Ferrofluid stands higher round a wire with a current", "[program]")
 {
-  // The conical meniscus: heights differ by mu_0 int M dH/(rho g). On 16^2 cells it is 6 % too much (on
-  // 32^2, in the benchmark wire_meniscus, within 1 %); so the margin is 10 %. Without current the
-  // pool stays flat, but for what the walls do to it.
+  // The conical meniscus: heights differ by mu_0 int M dH/(rho g). On 16^2 cells it is 6 % too much
+  // (on 32^2, in the benchmark wire_meniscus, within 1 %); so the margin is 10 %. Without current
+  // the pool stays flat, but for what the walls do to it.
   WireMeniscus pool;
   pool.cells                    = 16;
   const MeniscusHeights heights = meniscus_heights(pool);

@@ -92,8 +92,8 @@ namespace
 TEST_CASE("Two free magnets fall towards each other as two dipoles do", "[program]")
 {
   // Two spheres magnetized along their line attract like dipoles: F = 3 mu_0 m^2/(2 pi r^4). Their
-  // distance, an ordinary differential equation solved apart, falls from 120 to about 80 mm. Symplectic
-  // Euler is of first order: with dt = 0.25 ms, 0.2 % of the way. No material, no solve.
+  // distance, an ordinary differential equation solved apart, falls from 120 to about 80 mm.
+  // Symplectic Euler is of first order: with dt = 0.25 ms, 0.2 % of the way. No material, no solve.
   SmallScene scene = nothing_but_magnets(3, "0.33");
   scene.rest       = magnets({{"left", free_ball("0.1; 0.08; 0.08", "1.5e5; 0; 0")},
                               {"right", free_ball("0.22; 0.08; 0.08", "1.5e5; 0; 0")}}) +
@@ -122,9 +122,9 @@ TEST_CASE("Two free magnets fall towards each other as two dipoles do", "[progra
 
 TEST_CASE("Two free magnets pulled together come to rest in contact", "[program]")
 {
-  // The same, longer and closer: they meet at 40 mm, and stay there, without going through each other or
-  // apart. The surfaces are sampled every dx, which leaves facets, and overlaps below a hundredth of dx
-  // are tolerated: 3 mm.
+  // The same, longer and closer: they meet at 40 mm, and stay there, without going through each
+  // other or apart. The surfaces are sampled every dx, which leaves facets, and overlaps below a
+  // hundredth of dx are tolerated: 3 mm.
   SmallScene scene = nothing_but_magnets(3, "0.4");
   scene.rest =
     magnets({{"left", free_ball("0.125; 0.08; 0.08", "3e5; 0; 0", "set Contact = separate\n")},
@@ -141,8 +141,9 @@ TEST_CASE("Two free magnets pulled together come to rest in contact", "[program]
 TEST_CASE("A compass needle swings with the period of a pendulum", "[program]")
 {
   // A cylinder magnetized across its axis, let go at 150 degrees from a uniform field: I theta'' =
-  // -mu_0 m H sin theta, with the period 4 sqrt(I/(mu_0 m H)) K(sin(theta_0/2)), K the complete elliptic
-  // integral. The times at which the spin changes its sign are half periods apart; margin 0.2 %.
+  // -mu_0 m H sin theta, with the period 4 sqrt(I/(mu_0 m H)) K(sin(theta_0/2)), K the complete
+  // elliptic integral. The times at which the spin changes its sign are half periods apart; margin
+  // 0.2 %.
   const double start = 150. * pi / 180., magnetization = 1e5, field = 2e4;
   SmallScene scene = nothing_but_magnets(2, "1");
   const auto text  = [](const double number) { return std::to_string(number); };
@@ -195,9 +196,9 @@ namespace
 
 TEST_CASE("Material and a free magnet do to each other what Newton's third law says", "[program]")
 {
-  // The forces on a magnetized square and on the magnet beside it, oblique, add up to zero but for what
-  // the square does to itself, and so do momentum and angular momentum of both, from rest, until
-  // they meet: below 2 % of what each of them has. With no magnetization nothing moves.
+  // The forces on a magnetized square and on the magnet beside it, oblique, add up to zero but for
+  // what the square does to itself, and so do momentum and angular momentum of both, from rest,
+  // until they meet: below 2 % of what each of them has. With no magnetization nothing moves.
   const Statistics statistics = statistics_of(
     "third-law", square_and_magnet("6e5; 4e5", "set Free = true\nset Density = 3000\n"));
   const double radius = 0.03, mass = 3000. * pi * radius * radius;
@@ -237,8 +238,8 @@ TEST_CASE("Material and a free magnet do to each other what Newton's third law s
 
 TEST_CASE("A run with a free magnet can be resumed, on another number of ranks too", "[program]")
 {
-  // The free magnet flies to the square: all that moves it, the carried force of the last solve among
-  // it, is in the checkpoint. To rounding on the same ranks, to 1e-9 on others.
+  // The free magnet flies to the square: all that moves it, the carried force of the last solve
+  // among it, is in the checkpoint. To rounding on the same ranks, to 1e-9 on others.
   const std::string scene = write_scene(
     "resume-magnet",
     square_and_magnet("6e5; 4e5", "set Free = true\nset Density = 3000\nset Contact = separate\n")

@@ -13,15 +13,6 @@ using namespace magmpm::testing;
 
 namespace
 {
-  /** Runs a file of parameter_files/ with other values; its results go to the folder @p name. */
-  Outcome
-  run_scene(const std::string &file, const std::string &name, const std::string &options)
-  {
-    return run_magmpm(std::string(MAGMPM_SOURCE_DIR) + "/parameter_files/" + file +
-                      " --set \"Output directory=" + name + "\" --set Output/Fields=false " +
-                      options);
-  }
-
   /** Distance along x between the particles with x above 0.5 m and those below, in the mean [m]. */
   double
   distance_along_x(const std::vector<std::array<double, 3>> &particles)
@@ -50,13 +41,15 @@ namespace
 TEST_CASE("Cubes in a uniform field attract along it and repel across it", "[program]")
 {
   // Fig. 11. Two magnetized cubes are like dipoles, which attract where they lie behind one another
-  // along their moments, and repel with half that force side by side. Without a field nothing moves.
+  // along their moments, and repel with half that force side by side. Without a field nothing
+  // moves.
   const auto change_in = [](const std::string &name, const std::string &field) {
-    const Outcome run = run_scene("induced_attraction.prm",
-                                  "attraction-" + name,
-                                  "--set \"Magnets/coil/Field=" + field +
-                                    "\" --set \"Box/Cell size=0.015625\" --set \"End time=0.1\" "
-                                    "--set \"Output/Frame interval=0.1\"");
+    const Outcome run =
+      run_parameter_file("induced_attraction",
+                         "attraction-" + name,
+                         "--set \"Magnets/coil/Field=" + field +
+                           "\" --set \"Box/Cell size=0.015625\" --set \"End time=0.1\" "
+                           "--set \"Output/Frame interval=0.1\"");
     INFO(run.errors);
     REQUIRE(run.exit_code == 0);
     const auto frames = particle_frames("attraction-" + name);
@@ -83,11 +76,12 @@ TEST_CASE("Two dragons are drawn to the magnet between them", "[program]")
   // both come nearer to the magnet and so to one another, equally by symmetry. Without
   // magnetization nothing moves.
   const auto changes_with = [](const std::string &name, const std::string &magnetization) {
-    const Outcome run = run_scene("two_dragons.prm",
-                                  "dragons-" + name,
-                                  "--set \"Magnets/ball/Magnetization=" + magnetization +
-                                    "\" --set \"Box/Cell size=0.03125\" --set \"End time=0.16\" "
-                                    "--set \"Output/Frame interval=0.16\"");
+    const Outcome run =
+      run_parameter_file("two_dragons",
+                         "dragons-" + name,
+                         "--set \"Magnets/ball/Magnetization=" + magnetization +
+                           "\" --set \"Box/Cell size=0.03125\" --set \"End time=0.16\" "
+                           "--set \"Output/Frame interval=0.16\"");
     INFO(run.errors);
     REQUIRE(run.exit_code == 0);
     const auto frames = particle_frames("dragons-" + name);
@@ -113,17 +107,17 @@ TEST_CASE("Two dragons are drawn to the magnet between them", "[program]")
 
 TEST_CASE("At a strong magnet the linear law crushes a cube and Langevin's does not", "[program]")
 {
-  // Fig. 7. By the linear law M grows with the field without end, Langevin's saturates, M is at most
-  // M_s/J = 82 kA/m/J. Cells of 1/32 m resolve less of what happens at the pole: there the limit of
-  // what counts as crushed is J = 0.09, with 1/128 m it is 0.05.
+  // Fig. 7. By the linear law M grows with the field without end, Langevin's saturates, M is at
+  // most M_s/J = 82 kA/m/J. Cells of 1/32 m resolve less of what happens at the pole: there the
+  // limit of what counts as crushed is J = 0.09, with 1/128 m it is 0.05.
   const std::string options = "--set \"Box/Cell size=0.03125\" --set Output/Particles=false "
                               "--set \"Runaway limits/Minimum volume ratio=0.09\"";
-  const Outcome linear      = run_scene("cube_linear.prm", "crushed", options);
+  const Outcome linear      = run_parameter_file("cube_linear", "crushed", options);
   CHECK(linear.exit_code == 1);
   CHECK(linear.errors.find("of body 'cube' ran away") != std::string::npos);
   const Statistics crushed("crushed");
 
-  const Outcome langevin = run_scene("cube_nonlinear.prm", "whole", options);
+  const Outcome langevin = run_parameter_file("cube_nonlinear", "whole", options);
   INFO(langevin.errors);
   REQUIRE(langevin.exit_code == 0);
   const Statistics whole("whole");

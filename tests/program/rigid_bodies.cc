@@ -66,11 +66,12 @@ namespace
 
 TEST_CASE("A light body floats as deep as Archimedes says, a heavy one sinks", "[program]")
 {
-  // A box of half the fluid's density displaces half its volume: the pool, 0.32 m wide and 0.12 m deep,
-  // rises by 0.01 m, and the centre of the box lies in its surface, at 0.13 m. At 0.25 of the density it
-  // is 0.02 m higher over a pool 0.005 m lower. One of twice the density lies on the floor. Contact on
-  // the lattice lets bodies float too low, by 1.3 to 1.6 dx and 0.8 dx here, so the margin is 1.8 dx:
-  // less than the 4 dx by which the two heights and that of no buoyancy differ.
+  // A box of half the fluid's density displaces half its volume: the pool, 0.32 m wide and 0.12 m
+  // deep, rises by 0.01 m, and the centre of the box lies in its surface, at 0.13 m. At 0.25 of the
+  // density it is 0.02 m higher over a pool 0.005 m lower. One of twice the density lies on the
+  // floor. Contact on the lattice lets bodies float too low, by 1.3 to 1.6 dx and 0.8 dx here, so
+  // the margin is 1.8 dx: less than the 4 dx by which the two heights and that of no buoyancy
+  // differ.
   for (const auto &[density, height] : {std::pair("500", 0.13), std::pair("250", 0.145)})
     {
       const Statistics statistics = statistics_of(std::string("floating-") + density,
@@ -92,8 +93,8 @@ TEST_CASE("A body on a fluid that it sticks to is carried at its speed", "[progr
 {
   // A slab of fluid slides on a frictionless floor at 0.5 m/s, a light raft at rest is laid on it.
   // Nothing else pushes along x, so that momentum goes from one to the other, none is lost (to
-  // rounding), and in the end both have the mean velocity. With a slipping raft and no friction it stays
-  // behind, until the fluid has risen behind it.
+  // rounding), and in the end both have the mean velocity. With a slipping raft and no friction it
+  // stays behind, until the fluid has risen behind it.
   const auto carried = [](const std::string &name, const std::string &contact) {
     SmallScene scene;
     scene.gravity  = "0, -9.81";
@@ -127,8 +128,8 @@ TEST_CASE("A body on a fluid that it sticks to is carried at its speed", "[progr
 
 TEST_CASE("Rigid bodies do the same on one and on two ranks", "[program]")
 {
-  // A box falls into the pool and turns. The ranks hold parts of the fluid and sum what it does to the
-  // box: only the order of sums differs, 1e-9 of each column's size in 0.1 s.
+  // A box falls into the pool and turns. The ranks hold parts of the fluid and sum what it does to
+  // the box: only the order of sums differs, 1e-9 of each column's size in 0.1 s.
   SmallScene scene     = pool_and_box("700",
                                   "set Angular velocity = 5\nset Velocity = 0.3, -0.5\n"
                                       "set Contact = separate\nset Friction = 0.3\n");

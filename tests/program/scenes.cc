@@ -3,6 +3,7 @@
 
 #include "catch.h"
 #include "program/particle_frames.h"
+#include "program/scene.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,16 +24,15 @@ namespace
             const std::string &interval,
             const std::string &options = "")
   {
-    const Outcome run = run_magmpm(
-      MAGMPM_SOURCE_DIR "/parameter_files/" + scene + ".prm --set 'Box/Cell size=" + cell_size +
-      "' --set 'Output/Frame interval=" + interval + "' --set 'Output directory=output-scene-" +
-      scene +
-      "' --set Output/Fields=false --set 'Output/Particle quantities=body'"
-      " --set 'Checkpoint every=never' " +
-      options);
+    const std::string folder = "output-scene-" + scene;
+    const Outcome run        = run_parameter_file(
+      scene,
+      folder,
+      "--set 'Box/Cell size=" + cell_size + "' --set 'Output/Frame interval=" + interval +
+        "' --set 'Output/Particle quantities=body' " + options);
     INFO(scene << ": " << run.errors);
     REQUIRE(run.exit_code == 0);
-    return particle_frames("output-scene-" + scene);
+    return particle_frames(folder);
   }
 
   /** Part of the particles for which something holds. */
