@@ -2,6 +2,7 @@
 // on coarser lattices, and again without their magnets.
 
 #include "catch.h"
+#include "program/parameter_file_run.h"
 #include "program/scene.h"
 
 #include <algorithm>

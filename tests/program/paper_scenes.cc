@@ -1,6 +1,7 @@
 // What scenes of Sun et al. 2021 show, as numbers: files of parameter_files/ on coarser lattices.
 
 #include "catch.h"
+#include "program/parameter_file_run.h"
 #include "program/particle_frames.h"
 #include "program/scene.h"
 

@@ -75,18 +75,4 @@ namespace magmpm::testing
     std::ofstream(name + ".prm") << text << "set Output directory = output-" << name << '\n';
     return name + ".prm";
   }
-
-  /**
-   * Runs a file of parameter_files/ with other values (more --set), without fields and checkpoints. Its
-   * results go to @p folder.
-   */
-  inline Outcome
-  run_parameter_file(const std::string &scene,
-                     const std::string &folder,
-                     const std::string &options)
-  {
-    return run_magmpm(std::string(MAGMPM_SOURCE_DIR) + "/parameter_files/" + scene +
-                      ".prm --set 'Output directory=" + folder +
-                      "' --set Output/Fields=false --set 'Checkpoint every=never' " + options);
-  }
 } // namespace magmpm::testing

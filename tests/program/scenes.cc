@@ -2,8 +2,8 @@
 // with larger cells or a smaller piece of it, and again with its field off, which must not show it.
 
 #include "catch.h"
+#include "program/parameter_file_run.h"
 #include "program/particle_frames.h"
-#include "program/scene.h"
 
 #include <algorithm>
 #include <cmath>
