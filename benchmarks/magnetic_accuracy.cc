@@ -1,6 +1,6 @@
 #include <magmpm/base/exceptions.h>
 #include <magmpm/base/version.h>
-#include <magmpm/io/error_report.h>
+#include <magmpm/parallel/error_report.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -5,7 +5,7 @@
 
 #include <magmpm/base/simd.h>
 #include <magmpm/base/version.h>
-#include <magmpm/io/error_report.h>
+#include <magmpm/parallel/error_report.h>
 #include <magmpm/io/number_text.h>
 
 #include <deal.II/base/mpi.h>

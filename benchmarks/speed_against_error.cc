@@ -4,7 +4,7 @@
 //   speed_against_error [--help]
 
 #include <magmpm/base/version.h>
-#include <magmpm/io/error_report.h>
+#include <magmpm/parallel/error_report.h>
 
 #include <deal.II/base/mpi.h>
 

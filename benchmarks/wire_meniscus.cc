@@ -1,5 +1,5 @@
 #include <magmpm/base/version.h>
-#include <magmpm/io/error_report.h>
+#include <magmpm/parallel/error_report.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -1,6 +1,6 @@
 #include <magmpm/base/version.h>
 #include <magmpm/io/command_line.h>
-#include <magmpm/io/error_report.h>
+#include <magmpm/parallel/error_report.h>
 #include <magmpm/io/parameters.h>
 #include <magmpm/simulation.h>
 

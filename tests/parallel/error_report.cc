@@ -1,6 +1,6 @@
 #include "../catch.h"
 
-#include <magmpm/io/error_report.h>
+#include <magmpm/parallel/error_report.h>
 
 #include <deal.II/base/exceptions.h>
 
@@ -27,7 +27,7 @@ namespace
 
 // All ranks fail at once: the exit code tells wrong input (2) from a failed run (1) on every rank, and
 // rank 0 alone says why, on one line, also when deal.II or the system threw.
-TEST_CASE("An error that all ranks meet is told once", "[io][mpi]")
+TEST_CASE("An error that all ranks meet is told once", "[parallel][mpi]")
 {
   int rank;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);

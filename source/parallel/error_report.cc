@@ -1,4 +1,4 @@
-#include <magmpm/io/error_report.h>
+#include <magmpm/parallel/error_report.h>
 
 #include <deal.II/base/exceptions.h>
 
