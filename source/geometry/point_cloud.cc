@@ -1,6 +1,6 @@
 #include <magmpm/base/exceptions.h>
 #include <magmpm/geometry/point_cloud.h>
-#include <magmpm/geometry/pose.h>
+#include <magmpm/motion/pose.h>
 
 #include <cerrno>
 #include <cmath>

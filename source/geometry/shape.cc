@@ -4,7 +4,7 @@
 #include <magmpm/geometry/mesh_file.h>
 #include <magmpm/geometry/mesh_shape.h>
 #include <magmpm/geometry/point_cloud_shape.h>
-#include <magmpm/geometry/pose.h>
+#include <magmpm/motion/pose.h>
 #include <magmpm/geometry/sphere_shape.h>
 
 namespace magmpm

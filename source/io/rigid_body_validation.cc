@@ -3,7 +3,7 @@
 #include <magmpm/io/given_parameters.h>
 #include <magmpm/io/section_validation.h>
 #include <magmpm/magnets/make_source.h>
-#include <magmpm/magnets/motion_script.h>
+#include <magmpm/motion/motion_script.h>
 
 #include <algorithm>
 

@@ -5,8 +5,8 @@
 #include <magmpm/io/number_text.h>
 #include <magmpm/io/section_validation.h>
 #include <magmpm/magnets/make_source.h>
-#include <magmpm/magnets/motion_script.h>
-#include <magmpm/magnets/source_motion.h>
+#include <magmpm/motion/motion_script.h>
+#include <magmpm/motion/source_motion.h>
 
 #include <algorithm>
 

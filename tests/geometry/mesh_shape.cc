@@ -5,7 +5,7 @@
 #include <magmpm/base/constants.h>
 #include <magmpm/geometry/box_shape.h>
 #include <magmpm/geometry/mesh_shape.h>
-#include <magmpm/geometry/pose.h>
+#include <magmpm/motion/pose.h>
 
 #include <vtkCellArray.h>
 #include <vtkImplicitPolyDataDistance.h>

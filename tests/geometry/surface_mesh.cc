@@ -1,7 +1,7 @@
 #include "../catch.h"
 
 #include <magmpm/base/constants.h>
-#include <magmpm/geometry/pose.h>
+#include <magmpm/motion/pose.h>
 #include <magmpm/geometry/shape.h>
 
 #include <cmath>

@@ -3,7 +3,7 @@
 #include <magmpm/boundary/rigid_body.h>
 #include <magmpm/boundary/rigid_body_parameters.h>
 #include <magmpm/magnets/external_field.h>
-#include <magmpm/magnets/source_motion.h>
+#include <magmpm/motion/source_motion.h>
 
 #include <optional>
 #include <string>

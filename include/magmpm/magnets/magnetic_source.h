@@ -1,6 +1,6 @@
 #pragma once
 
-#include <magmpm/geometry/pose.h>
+#include <magmpm/motion/pose.h>
 #include <magmpm/geometry/shape.h>
 #include <magmpm/magnets/source_field.h>
 #include <magmpm/magnets/source_parameters.h>

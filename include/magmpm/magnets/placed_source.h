@@ -1,8 +1,8 @@
 #pragma once
 
 #include <magmpm/magnets/magnetic_source.h>
-#include <magmpm/magnets/motion_script.h>
-#include <magmpm/magnets/source_motion.h>
+#include <magmpm/motion/motion_script.h>
+#include <magmpm/motion/source_motion.h>
 
 #include <memory>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <magmpm/magnets/magnetic_source.h>
-#include <magmpm/magnets/motion_script.h>
+#include <magmpm/motion/motion_script.h>
 
 namespace magmpm
 {

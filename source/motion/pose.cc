@@ -1,4 +1,4 @@
-#include <magmpm/geometry/pose.h>
+#include <magmpm/motion/pose.h>
 
 #include <array>
 

@@ -3,7 +3,7 @@
 
 #include <magmpm/base/constants.h>
 #include <magmpm/base/exceptions.h>
-#include <magmpm/magnets/motion_script.h>
+#include <magmpm/motion/motion_script.h>
 
 #include <algorithm>
 #include <cctype>

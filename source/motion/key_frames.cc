@@ -1,5 +1,5 @@
 #include <magmpm/base/exceptions.h>
-#include <magmpm/magnets/key_frames.h>
+#include <magmpm/motion/key_frames.h>
 
 #include <algorithm>
 #include <cmath>

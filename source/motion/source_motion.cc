@@ -1,5 +1,5 @@
 #include <magmpm/base/exceptions.h>
-#include <magmpm/magnets/source_motion.h>
+#include <magmpm/motion/source_motion.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include <magmpm/base/constants.h>
 #include <magmpm/base/exceptions.h>
-#include <magmpm/magnets/motion_script.h>
+#include <magmpm/motion/motion_script.h>
 
 #include "catch.h"
 
@@ -32,7 +32,7 @@ namespace
   }
 } // namespace
 
-TEST_CASE("a motion script is evaluated component by component", "[magnets]")
+TEST_CASE("a motion script is evaluated component by component", "[motion]")
 {
   // The expressions are those that C++ computes beside them, with constants, functions, a condition
   // and either separator.
@@ -47,7 +47,7 @@ TEST_CASE("a motion script is evaluated component by component", "[magnets]")
   CHECK(MotionScript<2>(" 1e5*t ;-2", "Field").value(3.)[0] == 3e5);
 }
 
-TEST_CASE("a motion script without t is constant", "[magnets]")
+TEST_CASE("a motion script without t is constant", "[motion]")
 {
   // Whether the name t occurs, and not whether the letter does (tan, 1e5, sqrt).
   CHECK(MotionScript<2>("tan(0.5)*1e5; sqrt(2)", "Field").is_constant());
@@ -55,7 +55,7 @@ TEST_CASE("a motion script without t is constant", "[magnets]")
   CHECK(!MotionScript<2>("0; sin(t)", "Field").is_constant());
 }
 
-TEST_CASE("a wrong motion script is refused with its reason", "[magnets]")
+TEST_CASE("a wrong motion script is refused with its reason", "[motion]")
 {
   // The wording, which users meet: who, what, why, and what is allowed.
   CHECK(refusal("0.5; 0.5") ==

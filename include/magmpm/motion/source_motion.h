@@ -1,8 +1,8 @@
 #pragma once
 
-#include <magmpm/geometry/pose.h>
-#include <magmpm/magnets/key_frames.h>
-#include <magmpm/magnets/motion_script.h>
+#include <magmpm/motion/pose.h>
+#include <magmpm/motion/key_frames.h>
+#include <magmpm/motion/motion_script.h>
 #include <magmpm/magnets/source_parameters.h>
 
 #include <optional>

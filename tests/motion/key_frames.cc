@@ -1,6 +1,6 @@
 #include <magmpm/base/constants.h>
 #include <magmpm/base/exceptions.h>
-#include <magmpm/magnets/key_frames.h>
+#include <magmpm/motion/key_frames.h>
 
 #include "../catch.h"
 
@@ -25,7 +25,7 @@ namespace
   }
 } // namespace
 
-TEST_CASE("between key frames the way is straight and the rotation about one axis", "[magnets]")
+TEST_CASE("between key frames the way is straight and the rotation about one axis", "[motion]")
 {
   // Half of a quarter turn about z, half of the way and of the change of strength in the middle; the
   // first and last poses before and after.
@@ -43,7 +43,7 @@ TEST_CASE("between key frames the way is straight and the rotation about one axi
   CHECK(!motion.strength_is_constant());
 }
 
-TEST_CASE("slerp takes the shorter way about the axis of the relative rotation", "[magnets]")
+TEST_CASE("slerp takes the shorter way about the axis of the relative rotation", "[motion]")
 {
   // From a turn by 1 about x to one by 2.5 about y: every pose on the way is the start turned about one
   // axis, by parts of one angle, which the trace of the relative rotation tells: 1 + 2 cos(angle).
@@ -70,7 +70,7 @@ TEST_CASE("slerp takes the shorter way about the axis of the relative rotation",
   CHECK(half.pose(0.5).rotation(1, 2) * half.pose(0.5).rotation(2, 1) == Approx(-1.));
 }
 
-TEST_CASE("smooth key frames are reached at rest", "[magnets]")
+TEST_CASE("smooth key frames are reached at rest", "[motion]")
 {
   // 3 s^2 - 2 s^3: a half in the middle, 5/32 after a quarter; no velocity at the ends.
   const KeyFrames<3> motion = frames<3>(table, KeyFrameInterpolation::smooth);
@@ -80,7 +80,7 @@ TEST_CASE("smooth key frames are reached at rest", "[magnets]")
   CHECK(motion.strength(0.5) == Approx(1. + 2. * 5. / 32.));
 }
 
-TEST_CASE("key frames that do not move are constant", "[magnets]")
+TEST_CASE("key frames that do not move are constant", "[motion]")
 {
   // Rotation and strength may be left out; poses are compared, not the number of rows.
   const KeyFrames<2> still = frames<2>("0, 0.5, 0.5; 1, 0.5, 0.5");
@@ -92,7 +92,7 @@ TEST_CASE("key frames that do not move are constant", "[magnets]")
   CHECK(!frames<2>("0, 0, 0, 0; 1, 0, 0, 0.1").pose_is_constant());
 }
 
-TEST_CASE("key frames come from a file, with headings and comments", "[magnets]")
+TEST_CASE("key frames come from a file, with headings and comments", "[motion]")
 {
   const std::string name = "key_frames_test.csv";
   std::ofstream(name) << "t, x, y, angle\n# a comment\n\n0, 0, 0, 0\r\n2, 1, 3, 0\n";
@@ -100,7 +100,7 @@ TEST_CASE("key frames come from a file, with headings and comments", "[magnets]"
   std::remove(name.c_str());
 }
 
-TEST_CASE("wrong key frames are refused with their row", "[magnets]")
+TEST_CASE("wrong key frames are refused with their row", "[motion]")
 {
   // The wording, which users meet.
   CHECK_THROWS_WITH(

@@ -1,6 +1,6 @@
 #include <magmpm/base/constants.h>
 #include <magmpm/base/exceptions.h>
-#include <magmpm/magnets/source_motion.h>
+#include <magmpm/motion/source_motion.h>
 
 #include "catch.h"
 
@@ -22,7 +22,7 @@ namespace
   }
 } // namespace
 
-TEST_CASE("the velocity of a source is the derivative of its position", "[magnets]")
+TEST_CASE("the velocity of a source is the derivative of its position", "[motion]")
 {
   // Analytic derivatives of a line, a sine of 50 Hz and a root, which is not defined before t = 0.
   // The stated error of the difference is (1e-6 w)^2/6 = 1.6e-8 of the amplitude's w, and 1e-10.
@@ -40,7 +40,7 @@ TEST_CASE("the velocity of a source is the derivative of its position", "[magnet
   CHECK(norm(motion_of<2>("tan(0.5)*1e5; sqrt(2)").motion(1.).velocity) == 0.);
 }
 
-TEST_CASE("the spin of a source is the derivative of its rotation", "[magnets]")
+TEST_CASE("the spin of a source is the derivative of its rotation", "[motion]")
 {
   // A rotation vector of constant direction turns at its derivative; turning and precessing ones are
   // told by dR/dt = omega x R, here by a difference of the rotation over 2e-4 s.
@@ -57,7 +57,7 @@ TEST_CASE("the spin of a source is the derivative of its rotation", "[magnets]")
   CHECK(norm(omega) > 1.);
 }
 
-TEST_CASE("key frames and expressions of a motion exclude each other", "[magnets]")
+TEST_CASE("key frames and expressions of a motion exclude each other", "[motion]")
 {
   SourceParameters<2> both;
   both.name       = "ball";
