@@ -3,7 +3,7 @@
 #include <deal.II/fe/fe_tools.h>
 #include <deal.II/lac/sparsity_tools.h>
 
-#include <magmpm/magnetics/cell_stencil.h>
+#include <magmpm/lattice/cell_stencil.h>
 #include <magmpm/magnetics/jacobian_assembler.h>
 
 namespace magmpm

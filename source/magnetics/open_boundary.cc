@@ -1,4 +1,4 @@
-#include <magmpm/magnetics/cell_stencil.h>
+#include <magmpm/lattice/cell_stencil.h>
 #include <magmpm/magnetics/open_boundary.h>
 
 namespace magmpm

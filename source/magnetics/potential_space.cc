@@ -2,7 +2,7 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_tools.h>
 
-#include <magmpm/magnetics/cell_stencil.h>
+#include <magmpm/lattice/cell_stencil.h>
 #include <magmpm/magnetics/potential_space.h>
 
 namespace magmpm

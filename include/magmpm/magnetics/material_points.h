@@ -1,6 +1,6 @@
 #pragma once
 
-#include <magmpm/magnetics/cell_stencil.h>
+#include <magmpm/lattice/cell_stencil.h>
 #include <magmpm/magnetics/laminate.h>
 #include <magmpm/magnetics/magnetics_parameters.h>
 #include <magmpm/magnetics/sharp_indicator.h>

@@ -1,7 +1,7 @@
 #include "catch.h"
 
 #include <magmpm/lattice/bspline.h>
-#include <magmpm/magnetics/cell_stencil.h>
+#include <magmpm/lattice/cell_stencil.h>
 
 #include <vector>
 
@@ -40,7 +40,7 @@ namespace
 // Interpolation from nodes to quadrature points reproduces a linear function. Quadratic B-splines
 // reproduce linear functions exactly, whatever the coefficients.
 TEMPLATE_TEST_CASE_SIG("A cell stencil reproduces linear functions",
-                       "[magnetics]",
+                       "[lattice]",
                        ((int dim), dim),
                        2,
                        3)
@@ -61,7 +61,7 @@ TEMPLATE_TEST_CASE_SIG("A cell stencil reproduces linear functions",
 // derivative: for nodal values u_i of a linear function, sum_i u_i (tested by dN_i/dx)_i is slope times
 // the tested value, and for constant u it is zero.
 TEMPLATE_TEST_CASE_SIG("A cell stencil tests with values and derivatives",
-                       "[magnetics]",
+                       "[lattice]",
                        ((int dim), dim),
                        2,
                        3)
@@ -111,7 +111,7 @@ TEMPLATE_TEST_CASE_SIG("A cell stencil tests with values and derivatives",
 // A stencil reads the nodes of the blocks around its cell at their right places, and adds to the same
 // ones. The field holds the position of each node, so that every value says where it comes from.
 TEMPLATE_TEST_CASE_SIG("A cell stencil gathers from the blocks around",
-                       "[magnetics]",
+                       "[lattice]",
                        ((int dim), dim),
                        2,
                        3)

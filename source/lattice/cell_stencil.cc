@@ -1,5 +1,5 @@
 #include <magmpm/lattice/bspline.h>
-#include <magmpm/magnetics/cell_stencil.h>
+#include <magmpm/lattice/cell_stencil.h>
 
 #include <algorithm>
 
