@@ -3,7 +3,7 @@
 
 #include <magmpm/carried_reaction.h>
 #include <magmpm/magnetic_coupling.h>
-#include <magmpm/magnetics/mirror_images.h>
+#include <magmpm/mesh/mirror_images.h>
 #include <magmpm/magnetics/potential_problem.h>
 #include <magmpm/magnetics/source_reaction.h>
 #include <magmpm/particles/carried_force.h>

@@ -1,5 +1,5 @@
 #include <magmpm/magnetics/material_points.h>
-#include <magmpm/magnetics/mirror_images.h>
+#include <magmpm/mesh/mirror_images.h>
 
 #include <algorithm>
 

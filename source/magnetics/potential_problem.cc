@@ -4,7 +4,7 @@
 #include <magmpm/base/constants.h>
 #include <magmpm/magnetics/force_handover.h>
 #include <magmpm/magnetics/magnetic_force.h>
-#include <magmpm/magnetics/mirror_images.h>
+#include <magmpm/mesh/mirror_images.h>
 #include <magmpm/magnetics/open_boundary.h>
 #include <magmpm/magnetics/potential_operator.h>
 #include <magmpm/magnetics/potential_problem.h>

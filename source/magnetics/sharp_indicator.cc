@@ -1,5 +1,5 @@
-#include <magmpm/magnetics/mirror_images.h>
-#include <magmpm/magnetics/node_filters.h>
+#include <magmpm/mesh/mirror_images.h>
+#include <magmpm/mesh/node_filters.h>
 #include <magmpm/magnetics/sharp_indicator.h>
 
 #include <algorithm>

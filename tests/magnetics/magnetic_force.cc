@@ -4,7 +4,7 @@
 #include "scene.h"
 
 #include <magmpm/base/constants.h>
-#include <magmpm/magnetics/mirror_images.h>
+#include <magmpm/mesh/mirror_images.h>
 
 #include <map>
 

@@ -2,7 +2,7 @@
 #include "scene.h"
 
 #include <magmpm/magnetics/material_points.h>
-#include <magmpm/magnetics/node_filters.h>
+#include <magmpm/mesh/node_filters.h>
 #include <magmpm/magnetics/potential_space.h>
 
 using namespace magmpm;

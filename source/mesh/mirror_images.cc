@@ -1,4 +1,4 @@
-#include <magmpm/magnetics/mirror_images.h>
+#include <magmpm/mesh/mirror_images.h>
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include <magmpm/magnetics/node_filters.h>
+#include <magmpm/mesh/node_filters.h>
 
 #include <algorithm>
 
