@@ -1,6 +1,6 @@
 #pragma once
 
-#include <magmpm/magnetics/newton_solver.h>
+#include <magmpm/elliptic/newton_solver.h>
 
 #include <paper_scheme/conjugate_gradients.h>
 #include <paper_scheme/maxwell_force.h>

@@ -3,7 +3,7 @@
 #include <magmpm/io/field_output.h>
 #include <magmpm/io/vtu_file.h>
 #include <magmpm/magnetics/material_points.h>
-#include <magmpm/magnetics/potential_space.h>
+#include <magmpm/elliptic/potential_space.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/fe/fe_tools.h>

@@ -5,11 +5,11 @@
 #include <magmpm/magnetics/force_handover.h>
 #include <magmpm/magnetics/magnetic_force.h>
 #include <magmpm/mesh/mirror_images.h>
-#include <magmpm/magnetics/open_boundary.h>
-#include <magmpm/magnetics/potential_operator.h>
+#include <magmpm/elliptic/open_boundary.h>
+#include <magmpm/elliptic/potential_operator.h>
 #include <magmpm/magnetics/potential_problem.h>
 #include <magmpm/magnetics/potential_residual.h>
-#include <magmpm/magnetics/potential_solver.h>
+#include <magmpm/elliptic/potential_solver.h>
 
 namespace magmpm
 {

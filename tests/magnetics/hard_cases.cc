@@ -6,7 +6,7 @@
 
 #include <magmpm/base/constants.h>
 #include <magmpm/magnetics/material_points.h>
-#include <magmpm/magnetics/potential_space.h>
+#include <magmpm/elliptic/potential_space.h>
 
 #include <cmath>
 #include <random>

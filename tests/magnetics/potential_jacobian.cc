@@ -3,7 +3,7 @@
 
 #include <deal.II/base/quadrature_lib.h>
 
-#include <magmpm/magnetics/ml_preconditioner.h>
+#include <magmpm/elliptic/ml_preconditioner.h>
 #include <magmpm/magnetics/potential_residual.h>
 
 using namespace magmpm;

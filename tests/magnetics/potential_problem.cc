@@ -2,7 +2,7 @@
 #include "scene.h"
 
 #include <magmpm/base/constants.h>
-#include <magmpm/magnetics/potential_space.h>
+#include <magmpm/elliptic/potential_space.h>
 
 using namespace magmpm;
 using namespace magmpm::test;

@@ -3,7 +3,7 @@
 
 #include <magmpm/magnetics/material_points.h>
 #include <magmpm/mesh/node_filters.h>
-#include <magmpm/magnetics/potential_space.h>
+#include <magmpm/elliptic/potential_space.h>
 
 using namespace magmpm;
 using namespace magmpm::test;

@@ -8,7 +8,7 @@
 /**
  * SIMD for the rooms that must not include deal.II, by the vector types of the compiler: it turns
  * them into the registers that there are, so the same source runs on every processor. The potential
- * solver's lanes are those of deal.II (magnetics/simd_lanes.h).
+ * solver's lanes are those of deal.II (elliptic/simd_lanes.h).
  */
 namespace magmpm
 {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <magmpm/magnetics/solve_report.h>
+#include <magmpm/elliptic/solve_report.h>
 
 #include <cstddef>
 #include <string>

@@ -2,7 +2,7 @@
 
 #include <magmpm/magnetics/material_points.h>
 #include <magmpm/magnetics/potential_problem.h>
-#include <magmpm/magnetics/potential_space.h>
+#include <magmpm/elliptic/potential_space.h>
 #include <magmpm/mesh/block_partition.h>
 
 namespace magmpm

@@ -2,7 +2,7 @@
 
 #include <magmpm/lattice/node_field.h>
 #include <magmpm/magnetics/magnetics_parameters.h>
-#include <magmpm/magnetics/solve_report.h>
+#include <magmpm/elliptic/solve_report.h>
 #include <magmpm/magnets/external_field.h>
 #include <magmpm/mesh/block_partition.h>
 

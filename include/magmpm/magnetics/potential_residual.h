@@ -3,7 +3,7 @@
 #include <deal.II/base/symmetric_tensor.h>
 
 #include <magmpm/magnetics/material_points.h>
-#include <magmpm/magnetics/potential_operator.h>
+#include <magmpm/elliptic/potential_operator.h>
 
 #include <array>
 #include <vector>

@@ -1,6 +1,6 @@
 #include <deal.II/lac/solver_cg.h>
 
-#include <magmpm/magnetics/potential_preconditioner.h>
+#include <magmpm/elliptic/potential_preconditioner.h>
 
 namespace magmpm
 {

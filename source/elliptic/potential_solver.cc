@@ -1,7 +1,7 @@
-#include <magmpm/magnetics/ml_preconditioner.h>
-#include <magmpm/magnetics/muelu_solver.h>
-#include <magmpm/magnetics/multigrid_preconditioner.h>
-#include <magmpm/magnetics/potential_solver.h>
+#include <magmpm/elliptic/ml_preconditioner.h>
+#include <magmpm/elliptic/muelu_solver.h>
+#include <magmpm/elliptic/multigrid_preconditioner.h>
+#include <magmpm/elliptic/potential_solver.h>
 
 namespace magmpm
 {

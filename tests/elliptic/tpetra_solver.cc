@@ -1,6 +1,6 @@
 #include "catch.h"
 
-#include <magmpm/magnetics/tpetra_solver.h>
+#include <magmpm/elliptic/tpetra_solver.h>
 
 #include <algorithm>
 #include <cmath>
@@ -78,7 +78,7 @@ namespace
 
 // The one-dimensional Laplacian between boundary values 1 has the solution 1, and with twice the matrix
 // 1/2: entries of other ranks arrive, and a kept hierarchy solves with the matrix as it is now.
-TEST_CASE("Tpetra solves with the present matrix", "[magnetics][mpi]")
+TEST_CASE("Tpetra solves with the present matrix", "[elliptic][mpi]")
 {
   PoissonRows rows(5000);
   const std::vector<double> right_hand_side = rows.right_hand_side();
@@ -98,7 +98,7 @@ TEST_CASE("Tpetra solves with the present matrix", "[magnetics][mpi]")
 
 // Without enough iterations, and with a matrix for which CG is not made, the result says that there
 // is none.
-TEST_CASE("Tpetra says why it has no solution", "[magnetics][mpi]")
+TEST_CASE("Tpetra says why it has no solution", "[elliptic][mpi]")
 {
   PoissonRows rows(5000);
   const std::vector<double> right_hand_side = rows.right_hand_side();

@@ -5,7 +5,7 @@
 // Of the kernels for degrees known at run time: those of the mapping (1) and hanging nodes (2).
 #define FE_EVAL_FACTORY_DEGREE_MAX 2
 
-#include <magmpm/magnetics/simd_lanes.h>
+#include <magmpm/elliptic/simd_lanes.h>
 
 #if MAGMPM_SIMD_BITS > 0
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <magmpm/magnetics/newton_solver.h>
+#include <magmpm/elliptic/newton_solver.h>
 
 namespace magmpm
 {

@@ -6,7 +6,7 @@
 #include <deal.II/matrix_free/operators.h>
 
 #include <magmpm/lattice/cell_stencil.h>
-#include <magmpm/magnetics/potential_space.h>
+#include <magmpm/elliptic/potential_space.h>
 
 #include <functional>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <magmpm/magnetics/linear_solve_result.h>
+#include <magmpm/elliptic/linear_solve_result.h>
 
 #include <mpi.h>
 

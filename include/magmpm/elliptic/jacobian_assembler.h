@@ -4,7 +4,7 @@
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/full_matrix.h>
 
-#include <magmpm/magnetics/potential_solver.h>
+#include <magmpm/elliptic/potential_solver.h>
 
 #include <vector>
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <magmpm/magnetics/jacobian_assembler.h>
-#include <magmpm/magnetics/potential_solver.h>
-#include <magmpm/magnetics/tpetra_solver.h>
+#include <magmpm/elliptic/jacobian_assembler.h>
+#include <magmpm/elliptic/potential_solver.h>
+#include <magmpm/elliptic/tpetra_solver.h>
 
 #include <memory>
 

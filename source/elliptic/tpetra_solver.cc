@@ -1,5 +1,5 @@
 #include <magmpm/base/exceptions.h>
-#include <magmpm/magnetics/tpetra_solver.h>
+#include <magmpm/elliptic/tpetra_solver.h>
 
 #include <BelosLinearProblem.hpp>
 #include <BelosPseudoBlockCGSolMgr.hpp>

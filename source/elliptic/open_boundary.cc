@@ -1,5 +1,5 @@
 #include <magmpm/lattice/cell_stencil.h>
-#include <magmpm/magnetics/open_boundary.h>
+#include <magmpm/elliptic/open_boundary.h>
 
 namespace magmpm
 {

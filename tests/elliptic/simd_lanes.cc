@@ -1,6 +1,6 @@
 #include "catch.h"
 
-#include <magmpm/magnetics/simd_lanes.h>
+#include <magmpm/elliptic/simd_lanes.h>
 
 #include <array>
 #include <limits>
@@ -25,7 +25,7 @@ namespace
 // What the potential solver and deal.II do with SIMD lanes is, lane by lane, what they would do with a
 // number: the same operations are done with the numbers of each lane.
 TEMPLATE_TEST_CASE("Arithmetic of SIMD lanes is that of their numbers",
-                   "[magnetics]",
+                   "[elliptic]",
                    float,
                    double)
 {
@@ -61,7 +61,7 @@ TEMPLATE_TEST_CASE("Arithmetic of SIMD lanes is that of their numbers",
 
 // Lanes are filled from one number, from a list (the rest is zero), from consecutive numbers and from
 // numbers anywhere, and written likewise; numbers beside these stay what they were.
-TEMPLATE_TEST_CASE("SIMD lanes are loaded and stored in order", "[magnetics]", float, double)
+TEMPLATE_TEST_CASE("SIMD lanes are loaded and stored in order", "[elliptic]", float, double)
 {
   using Lanes                = CellLanes<TestType>;
   constexpr unsigned int n   = Lanes::size();
@@ -102,7 +102,7 @@ TEMPLATE_TEST_CASE("SIMD lanes are loaded and stored in order", "[magnetics]", f
 
 #if MAGMPM_SIMD_BITS > 0
 // A register of the processor, no more and no less: 8 doubles or 16 floats with AVX-512.
-TEST_CASE("SIMD lanes fill a register", "[magnetics]")
+TEST_CASE("SIMD lanes fill a register", "[elliptic]")
 {
   STATIC_REQUIRE(sizeof(CellLanes<double>) == MAGMPM_SIMD_BITS / 8);
   STATIC_REQUIRE(sizeof(CellLanes<float>) == MAGMPM_SIMD_BITS / 8);

@@ -8,8 +8,8 @@
 #include <deal.II/multigrid/mg_transfer_matrix_free.h>
 #include <deal.II/multigrid/multigrid.h>
 
-#include <magmpm/magnetics/multigrid_preconditioner.h>
-#include <magmpm/magnetics/potential_operator.h>
+#include <magmpm/elliptic/multigrid_preconditioner.h>
+#include <magmpm/elliptic/potential_operator.h>
 
 #include <algorithm>
 #include <map>

@@ -3,7 +3,7 @@
 #include <deal.II/dofs/dof_tools.h>
 
 #include <magmpm/lattice/cell_stencil.h>
-#include <magmpm/magnetics/potential_space.h>
+#include <magmpm/elliptic/potential_space.h>
 
 namespace magmpm
 {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <magmpm/magnetics/potential_solver.h>
+#include <magmpm/elliptic/potential_solver.h>
 
 namespace magmpm
 {

@@ -2,7 +2,7 @@
 
 #include <deal.II/lac/full_matrix.h>
 
-#include <magmpm/magnetics/potential_space.h>
+#include <magmpm/elliptic/potential_space.h>
 
 #include <array>
 

@@ -1,4 +1,4 @@
-#include <magmpm/magnetics/ml_preconditioner.h>
+#include <magmpm/elliptic/ml_preconditioner.h>
 
 namespace magmpm
 {

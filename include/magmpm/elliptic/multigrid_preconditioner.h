@@ -1,6 +1,6 @@
 #pragma once
 
-#include <magmpm/magnetics/potential_preconditioner.h>
+#include <magmpm/elliptic/potential_preconditioner.h>
 
 namespace magmpm
 {

@@ -1,6 +1,6 @@
 #include <deal.II/matrix_free/tools.h>
 
-#include <magmpm/magnetics/potential_operator.h>
+#include <magmpm/elliptic/potential_operator.h>
 
 namespace magmpm
 {

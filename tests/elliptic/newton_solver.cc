@@ -1,6 +1,6 @@
 #include "catch.h"
 
-#include <magmpm/magnetics/newton_solver.h>
+#include <magmpm/elliptic/newton_solver.h>
 
 #include <deal.II/lac/vector.h>
 
@@ -51,7 +51,7 @@ namespace
 } // namespace
 
 // atan(x) = 0 from x = 3 is found with halved steps. The undamped method diverges from |x| > 1.39.
-TEST_CASE("Newton's method converges with a line search where it would diverge", "[magnetics]")
+TEST_CASE("Newton's method converges with a line search where it would diverge", "[elliptic]")
 {
   Uncoupled problem = arctangent();
   VectorType x(2);
@@ -68,7 +68,7 @@ TEST_CASE("Newton's method converges with a line search where it would diverge",
 
 // Near the solution the residual falls quadratically: atan has no second derivative at its zero, so
 // at least the square of the last one is reached, times the safety factor of the forcing term.
-TEST_CASE("Newton's method converges quadratically with inexact steps", "[magnetics]")
+TEST_CASE("Newton's method converges quadratically with inexact steps", "[elliptic]")
 {
   Uncoupled problem  = arctangent();
   problem.function   = [](const double x) { return std::exp(x) - 1.; };
@@ -82,7 +82,7 @@ TEST_CASE("Newton's method converges quadratically with inexact steps", "[magnet
 
 // A linear problem takes one step, and one that is solved already takes none: the first linear
 // system is solved to the tolerance of the whole.
-TEST_CASE("Newton's method takes one step for a linear problem", "[magnetics]")
+TEST_CASE("Newton's method takes one step for a linear problem", "[elliptic]")
 {
   Uncoupled problem;
   problem.function   = [](const double x) { return 3. * x - 1.; };
@@ -94,7 +94,7 @@ TEST_CASE("Newton's method takes one step for a linear problem", "[magnetics]")
 }
 
 // Where there is no solution the error names the residuals: a user has to see how far it came.
-TEST_CASE("Newton's method says how far it came when it fails", "[magnetics]")
+TEST_CASE("Newton's method says how far it came when it fails", "[elliptic]")
 {
   Uncoupled problem;
   problem.function   = [](const double x) { return std::exp(x); };

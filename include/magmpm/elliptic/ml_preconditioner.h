@@ -3,8 +3,8 @@
 #include <deal.II/lac/trilinos_precondition.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 
-#include <magmpm/magnetics/jacobian_assembler.h>
-#include <magmpm/magnetics/potential_preconditioner.h>
+#include <magmpm/elliptic/jacobian_assembler.h>
+#include <magmpm/elliptic/potential_preconditioner.h>
 
 namespace magmpm
 {

@@ -8,7 +8,7 @@
 #include <deal.II/lac/la_parallel_vector.h>
 #include <deal.II/matrix_free/matrix_free.h>
 
-#include <magmpm/magnetics/simd_lanes.h>
+#include <magmpm/elliptic/simd_lanes.h>
 #include <magmpm/mesh/background_mesh.h>
 
 #include <limits>

@@ -2,11 +2,11 @@
 
 #include <deal.II/base/symmetric_tensor.h>
 
-#include <magmpm/magnetics/linear_solve_result.h>
+#include <magmpm/elliptic/linear_solve_result.h>
 #include <magmpm/magnetics/magnetics_parameters.h>
-#include <magmpm/magnetics/open_boundary.h>
-#include <magmpm/magnetics/potential_operator.h>
-#include <magmpm/magnetics/potential_space.h>
+#include <magmpm/elliptic/open_boundary.h>
+#include <magmpm/elliptic/potential_operator.h>
+#include <magmpm/elliptic/potential_space.h>
 
 #include <functional>
 #include <memory>

@@ -1,7 +1,7 @@
 #include "catch.h"
 #include "sphere_solve.h"
 
-#include <magmpm/magnetics/potential_space.h>
+#include <magmpm/elliptic/potential_space.h>
 
 using namespace magmpm;
 using namespace magmpm::test;
@@ -57,7 +57,7 @@ namespace
 // has followed the body, when everything is set up anew. The mesh has hanging nodes, and with one face
 // shielded some faces have a boundary matrix and one has none.
 TEMPLATE_TEST_CASE_SIG("The potential does not depend on the preconditioner",
-                       "[magnetics][mpi]",
+                       "[elliptic][mpi]",
                        ((int dim), dim),
                        2,
                        3)
@@ -92,7 +92,7 @@ TEMPLATE_TEST_CASE_SIG("The potential does not depend on the preconditioner",
 
 // The preconditioner stays while CG does well, the Jacobian does not: Newton's method with the one of
 // an earlier step would need many more steps. From weak field to saturation the two differ by half.
-TEST_CASE("A kept preconditioner does not keep the Jacobian", "[magnetics][mpi]")
+TEST_CASE("A kept preconditioner does not keep the Jacobian", "[elliptic][mpi]")
 {
   for (const Preconditioner preconditioner : all_preconditioners)
     {
@@ -117,7 +117,7 @@ TEST_CASE("A kept preconditioner does not keep the Jacobian", "[magnetics][mpi]"
 // Multigrid needs a number of iterations that hardly depends on the susceptibility. With the sharp surface
 // these are, from 1 to 1000, 6 to 13 of geometric multigrid, 16 to 25 of ML and 17 to 26 of MueLu; a medium
 // smeared over 2 dx takes a third less at 1000.
-TEST_CASE("CG takes few iterations up to a susceptibility of 1000", "[magnetics][mpi]")
+TEST_CASE("CG takes few iterations up to a susceptibility of 1000", "[elliptic][mpi]")
 {
   const double susceptibilities[] = {1., 10., 100., 1000.};
   const int limits[3][4]          = {{8, 8, 10, 14}, {20, 20, 22, 26}, {25, 25, 25, 30}};
@@ -144,7 +144,7 @@ TEST_CASE("CG takes few iterations up to a susceptibility of 1000", "[magnetics]
 
 // Iterations that do not suffice end with an error that says what to do; silence would be a wrong
 // force.
-TEST_CASE("A linear system that is not solved is an error", "[magnetics][mpi]")
+TEST_CASE("A linear system that is not solved is an error", "[elliptic][mpi]")
 {
   for (const Preconditioner preconditioner : all_preconditioners)
     {

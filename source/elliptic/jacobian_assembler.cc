@@ -4,7 +4,7 @@
 #include <deal.II/lac/sparsity_tools.h>
 
 #include <magmpm/lattice/cell_stencil.h>
-#include <magmpm/magnetics/jacobian_assembler.h>
+#include <magmpm/elliptic/jacobian_assembler.h>
 
 namespace magmpm
 {

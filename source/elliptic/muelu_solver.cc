@@ -1,7 +1,7 @@
 // The definitions of AffineConstraints are needed here, as it does not know TpetraMatrix.
 #include <deal.II/lac/affine_constraints.templates.h>
 
-#include <magmpm/magnetics/muelu_solver.h>
+#include <magmpm/elliptic/muelu_solver.h>
 
 namespace magmpm
 {
