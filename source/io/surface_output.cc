@@ -3,7 +3,7 @@
 
 #include <magmpm/base/exceptions.h>
 #include <magmpm/io/surface_output.h>
-#include <magmpm/io/volume_fraction.h>
+#include <magmpm/surface/volume_fraction.h>
 
 #include <vtkAppendPolyData.h>
 #include <vtkCellData.h>

@@ -3,7 +3,7 @@
 #include <magmpm/lattice/cell_stencil.h>
 #include <magmpm/magnetics/laminate.h>
 #include <magmpm/magnetics/magnetics_parameters.h>
-#include <magmpm/magnetics/sharp_indicator.h>
+#include <magmpm/surface/sharp_indicator.h>
 #include <magmpm/magnets/external_field.h>
 
 #include <algorithm>

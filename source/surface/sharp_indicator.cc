@@ -1,6 +1,6 @@
 #include <magmpm/mesh/mirror_images.h>
 #include <magmpm/mesh/node_filters.h>
-#include <magmpm/magnetics/sharp_indicator.h>
+#include <magmpm/surface/sharp_indicator.h>
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include <deal.II/base/mpi.h>
 
-#include <magmpm/io/volume_fraction.h>
+#include <magmpm/surface/volume_fraction.h>
 #include <magmpm/lattice/bspline.h>
 #include <magmpm/particles/particle_sums.h>
 

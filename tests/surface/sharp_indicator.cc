@@ -84,7 +84,7 @@ namespace
 // of 2 dx and of dx: smoothing keeps sums, so nothing is lost but in the outermost tails of the
 // B-splines, where the correction is cut off.
 TEMPLATE_TEST_CASE_SIG("The medium has the volume of the particles",
-                       "[magnetics][mpi]",
+                       "[surface][mpi]",
                        ((int dim), dim),
                        2,
                        3)
@@ -108,7 +108,7 @@ TEMPLATE_TEST_CASE_SIG("The medium has the volume of the particles",
 // Inside a body the fraction is 1, outside 0, and between them it falls within little more than one dx
 // at the right place: the second moment of a sphere tells the place, its exact value the accuracy.
 TEMPLATE_TEST_CASE_SIG("The surface is sharp and in place",
-                       "[magnetics][mpi]",
+                       "[surface][mpi]",
                        ((int dim), dim),
                        2,
                        3)
@@ -138,7 +138,7 @@ TEMPLATE_TEST_CASE_SIG("The surface is sharp and in place",
 // A shielded wall is a mirror: a half sphere on it is the same medium as the half of a whole one. Its
 // volume and density up to the wall show that images are complete for all filters.
 TEMPLATE_TEST_CASE_SIG("The medium joins its image at a shielded wall",
-                       "[magnetics][mpi]",
+                       "[surface][mpi]",
                        ((int dim), dim),
                        2,
                        3)
@@ -171,7 +171,7 @@ TEMPLATE_TEST_CASE_SIG("The medium joins its image at a shielded wall",
 
 // No material is inside a solid magnet, whatever particles a step has left there; one without a surface
 // excludes nothing.
-TEMPLATE_TEST_CASE_SIG("Solid magnets exclude material", "[magnetics][mpi]", ((int dim), dim), 2, 3)
+TEMPLATE_TEST_CASE_SIG("Solid magnets exclude material", "[surface][mpi]", ((int dim), dim), 2, 3)
 {
   Vector<dim> magnetization;
   magnetization[0]             = 1e6;
@@ -192,7 +192,7 @@ TEMPLATE_TEST_CASE_SIG("Solid magnets exclude material", "[magnetics][mpi]", ((i
 // smooth() is symmetric and keeps constants and sums, also at the ragged edge of the active blocks and
 // across ranks: the volume of the medium rests on that.
 TEMPLATE_TEST_CASE_SIG("The smoothing filter is symmetric and conservative",
-                       "[magnetics][mpi]",
+                       "[surface][mpi]",
                        ((int dim), dim),
                        2,
                        3)
