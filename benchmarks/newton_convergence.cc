@@ -16,7 +16,7 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/timer.h>
 
-#include <magmpm/magnetic_coupling.h>
+#include <magmpm/coupling/magnetic_coupling.h>
 #include <magmpm/particles/seeding.h>
 
 #include <magnetics/scene.h>

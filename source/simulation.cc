@@ -2,14 +2,14 @@
 #include <deal.II/base/timer.h>
 #include <deal.II/base/utilities.h>
 
-#include <magmpm/artificial_attraction.h>
+#include <magmpm/coupling/artificial_attraction.h>
 #include <magmpm/base/version.h>
-#include <magmpm/fluid_density.h>
+#include <magmpm/coupling/fluid_density.h>
 #include <magmpm/io/number_text.h>
 #include <magmpm/io/parameter_changes.h>
-#include <magmpm/magnetic_coupling.h>
+#include <magmpm/coupling/magnetic_coupling.h>
 #include <magmpm/particle_reductions.h>
-#include <magmpm/particles/carried_force.h>
+#include <magmpm/coupling/carried_force.h>
 #include <magmpm/particles/seeding.h>
 #include <magmpm/simulation.h>
 

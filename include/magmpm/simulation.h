@@ -11,7 +11,7 @@
 #include <magmpm/particles/particle_sort.h>
 #include <magmpm/particles/particle_sums.h>
 #include <magmpm/rest_check.h>
-#include <magmpm/rigid_body_coupling.h>
+#include <magmpm/coupling/rigid_body_coupling.h>
 #include <magmpm/run_control.h>
 #include <magmpm/run_record.h>
 #include <magmpm/runaway_check.h>

@@ -1,12 +1,12 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/timer.h>
 
-#include <magmpm/carried_reaction.h>
-#include <magmpm/magnetic_coupling.h>
+#include <magmpm/coupling/carried_reaction.h>
+#include <magmpm/coupling/magnetic_coupling.h>
 #include <magmpm/mesh/mirror_images.h>
 #include <magmpm/magnetics/potential_problem.h>
 #include <magmpm/magnetics/source_reaction.h>
-#include <magmpm/particles/carried_force.h>
+#include <magmpm/coupling/carried_force.h>
 #include <magmpm/particles/magnetic_transfer.h>
 #include <magmpm/particles/particle_sums.h>
 

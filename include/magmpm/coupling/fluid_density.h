@@ -1,7 +1,7 @@
 #pragma once
 
 #include <magmpm/mesh/block_partition.h>
-#include <magmpm/particles/density_relaxation.h>
+#include <magmpm/coupling/density_relaxation.h>
 
 #include <mpi.h>
 

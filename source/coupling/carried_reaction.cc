@@ -1,4 +1,4 @@
-#include <magmpm/carried_reaction.h>
+#include <magmpm/coupling/carried_reaction.h>
 
 #include <algorithm>
 #include <cmath>

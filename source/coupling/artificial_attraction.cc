@@ -1,6 +1,6 @@
 #include <deal.II/base/mpi.h>
 
-#include <magmpm/artificial_attraction.h>
+#include <magmpm/coupling/artificial_attraction.h>
 #include <magmpm/io/given_parameters.h>
 #include <magmpm/io/number_text.h>
 #include <magmpm/particle_reductions.h>

@@ -1,6 +1,6 @@
 #include <deal.II/base/mpi.h>
 
-#include <magmpm/fluid_density.h>
+#include <magmpm/coupling/fluid_density.h>
 
 namespace magmpm
 {

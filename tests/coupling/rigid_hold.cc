@@ -1,5 +1,5 @@
 #include <magmpm/geometry/sphere_shape.h>
-#include <magmpm/particles/rigid_hold.h>
+#include <magmpm/coupling/rigid_hold.h>
 
 #include "catch.h"
 #include "particles/random_bodies.h"
@@ -18,7 +18,7 @@ namespace
 } // namespace
 
 TEMPLATE_TEST_CASE_SIG("particles deep inside a rigid shape are put back, and their momentum counted",
-                       "[particles]",
+                       "[coupling]",
                        ((int dim), dim),
                        2,
                        3)

@@ -1,4 +1,4 @@
-#include <magmpm/particles/point_attraction.h>
+#include <magmpm/coupling/point_attraction.h>
 
 #include <algorithm>
 #include <cmath>

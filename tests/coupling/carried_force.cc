@@ -1,6 +1,6 @@
 #include "catch.h"
 
-#include <magmpm/particles/carried_force.h>
+#include <magmpm/coupling/carried_force.h>
 
 using namespace magmpm;
 
@@ -55,7 +55,7 @@ namespace
 // A force that changes evenly along the way is carried exactly after two solves, in steps of any length
 // and between solves at any distance: extrapolation is exact for linear functions.
 TEMPLATE_TEST_CASE_SIG("A force that changes evenly is carried exactly",
-                       "[particles]",
+                       "[coupling]",
                        ((int dim), dim),
                        2,
                        3)
@@ -83,7 +83,7 @@ TEMPLATE_TEST_CASE_SIG("A force that changes evenly is carried exactly",
 
 // A sudden force, such as of a magnet switched on, is not carried on: over a way as long as the last one
 // it may change by half of itself, no more. A body that is not magnetic has no force to carry.
-TEMPLATE_TEST_CASE_SIG("A sudden force is not carried on", "[particles]", ((int dim), dim), 2, 3)
+TEMPLATE_TEST_CASE_SIG("A sudden force is not carried on", "[coupling]", ((int dim), dim), 2, 3)
 {
   Body<dim> body = body_of_two_particles<dim>(true);
   solve(0., 0., body);

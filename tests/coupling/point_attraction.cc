@@ -1,6 +1,6 @@
 #include "catch.h"
 
-#include <magmpm/particles/point_attraction.h>
+#include <magmpm/coupling/point_attraction.h>
 
 using namespace magmpm;
 
@@ -55,7 +55,7 @@ namespace
 } // namespace
 
 TEMPLATE_TEST_CASE_SIG("An attraction is g0 (r0/r)^p towards its point",
-                       "[particles]",
+                       "[coupling]",
                        ((int dim), dim),
                        2,
                        3)
@@ -77,7 +77,7 @@ TEMPLATE_TEST_CASE_SIG("An attraction is g0 (r0/r)^p towards its point",
 }
 
 TEMPLATE_TEST_CASE_SIG("An attraction gives a body exactly its force",
-                       "[particles]",
+                       "[coupling]",
                        ((int dim), dim),
                        2,
                        3)

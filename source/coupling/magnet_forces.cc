@@ -1,5 +1,5 @@
-#include <magmpm/carried_reaction.h>
-#include <magmpm/magnet_forces.h>
+#include <magmpm/coupling/carried_reaction.h>
+#include <magmpm/coupling/magnet_forces.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #include <deal.II/base/mpi.h>
 
 #include <magmpm/boundary/momentum_update.h>
-#include <magmpm/particles/rigid_hold.h>
-#include <magmpm/rigid_body_coupling.h>
+#include <magmpm/coupling/rigid_hold.h>
+#include <magmpm/coupling/rigid_body_coupling.h>
 
 #include <algorithm>
 #include <cmath>

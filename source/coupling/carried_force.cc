@@ -1,4 +1,4 @@
-#include <magmpm/particles/carried_force.h>
+#include <magmpm/coupling/carried_force.h>
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include <magmpm/particles/rigid_hold.h>
+#include <magmpm/coupling/rigid_hold.h>
 
 #include <algorithm>
 #include <cmath>

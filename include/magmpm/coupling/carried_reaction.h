@@ -9,7 +9,7 @@ namespace magmpm
 {
   /**
    * The force and torque of the material on magnets between two solves: like the force that particles
-   * carry (particles/carried_force.h) they go on changing at the rate of the last two solves, per way
+   * carry (coupling/carried_force.h) they go on changing at the rate of the last two solves, per way
    * of the fastest particle, and no faster than by half of themselves over a way as long as the last.
    */
 

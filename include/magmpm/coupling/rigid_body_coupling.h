@@ -6,7 +6,7 @@
 #include <magmpm/io/parameters.h>
 #include <magmpm/io/run_state.h>
 #include <magmpm/lattice/node_field.h>
-#include <magmpm/magnet_forces.h>
+#include <magmpm/coupling/magnet_forces.h>
 #include <magmpm/magnets/external_field.h>
 #include <magmpm/particles/body.h>
 #include <magmpm/particles/box_faces.h>

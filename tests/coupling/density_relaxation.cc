@@ -1,4 +1,4 @@
-#include <magmpm/particles/density_relaxation.h>
+#include <magmpm/coupling/density_relaxation.h>
 
 #include "catch.h"
 #include "particles/random_bodies.h"
@@ -60,7 +60,7 @@ namespace
   }
 } // namespace
 
-TEST_CASE("J of a fluid becomes that of the lattice, up to the walls", "[particles]")
+TEST_CASE("J of a fluid becomes that of the lattice, up to the walls", "[coupling]")
 {
   // The pool is squeezed to 0.9 of its depth, but its J says 1. After a long time J is 0.9 wherever
   // the free surface is not near, also next to the walls (whose shares of B-splines are exact for a
@@ -90,7 +90,7 @@ TEST_CASE("J of a fluid becomes that of the lattice, up to the walls", "[particl
   CHECK(error.sum / error.n_particles == Approx(0.1).epsilon(0.05));
 }
 
-TEST_CASE("the way to the J of the lattice takes three times of sound across a cell", "[particles]")
+TEST_CASE("the way to the J of the lattice takes three times of sound across a cell", "[coupling]")
 {
   // After t = 3 dx/c the rest of the way is 1/e of it: at a particle in the middle, from 1 to 0.9.
   const Lattice<2> lattice    = narrow_lattice();
@@ -104,7 +104,7 @@ TEST_CASE("the way to the J of the lattice takes three times of sound across a c
   CHECK(middle == Approx(0.9 + 0.1 * std::exp(-1.)).margin(0.001));
 }
 
-TEST_CASE("solids are not relaxed, and no free surface is taken for an inside", "[particles]")
+TEST_CASE("solids are not relaxed, and no free surface is taken for an inside", "[coupling]")
 {
   // The same pool as a solid keeps its F. A fluid at 0.7 of its density is all free surface.
   const Lattice<2> lattice   = narrow_lattice();
@@ -119,7 +119,7 @@ TEST_CASE("solids are not relaxed, and no free surface is taken for an inside", 
   CHECK(relax(lattice, 1e9, thin).n_particles == 0.);
 }
 
-TEST_CASE("in a spray J becomes one", "[particles]")
+TEST_CASE("in a spray J becomes one", "[coupling]")
 {
   // Every third particle of every third row alone: its own share of a node is too little to be a fluid.
   const Lattice<2> lattice    = narrow_lattice();
