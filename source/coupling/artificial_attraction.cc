@@ -3,7 +3,7 @@
 #include <magmpm/coupling/artificial_attraction.h>
 #include <magmpm/io/given_parameters.h>
 #include <magmpm/io/number_text.h>
-#include <magmpm/particle_reductions.h>
+#include <magmpm/simulation/particle_reductions.h>
 
 namespace magmpm
 {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <magmpm/io/run_state.h>
+#include <magmpm/simulation/run_state.h>
 #include <magmpm/magnets/external_field.h>
 
 #include <vector>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <magmpm/domain_decomposition.h>
+#include <magmpm/simulation/domain_decomposition.h>
 #include <magmpm/io/parameters.h>
-#include <magmpm/io/run_state.h>
+#include <magmpm/simulation/run_state.h>
 #include <magmpm/lattice/node_field.h>
 #include <magmpm/magnets/external_field.h>
 #include <magmpm/particles/body.h>

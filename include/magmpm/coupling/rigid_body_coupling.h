@@ -4,13 +4,13 @@
 #include <magmpm/boundary/rigid_bodies.h>
 #include <magmpm/boundary/rigid_collision.h>
 #include <magmpm/io/parameters.h>
-#include <magmpm/io/run_state.h>
+#include <magmpm/simulation/run_state.h>
 #include <magmpm/lattice/node_field.h>
 #include <magmpm/coupling/magnet_forces.h>
 #include <magmpm/magnets/external_field.h>
 #include <magmpm/particles/body.h>
 #include <magmpm/particles/box_faces.h>
-#include <magmpm/time_step_control.h>
+#include <magmpm/simulation/time_step_control.h>
 
 #include <mpi.h>
 

@@ -5,7 +5,7 @@
 #include <magmpm/io/particle_output.h>
 #include <magmpm/io/rigid_body_output.h>
 #include <magmpm/io/run_log.h>
-#include <magmpm/io/run_state.h>
+#include <magmpm/simulation/run_state.h>
 #include <magmpm/io/statistics_file.h>
 #include <magmpm/io/surface_output.h>
 #include <magmpm/particles/body.h>

@@ -2,7 +2,7 @@
 
 #include <magmpm/boundary/rigid_bodies.h>
 #include <magmpm/io/parameters.h>
-#include <magmpm/io/run_state.h>
+#include <magmpm/simulation/run_state.h>
 #include <magmpm/io/statistics_file.h>
 
 #include <vector>

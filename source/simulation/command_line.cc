@@ -1,5 +1,5 @@
 #include <magmpm/base/exceptions.h>
-#include <magmpm/io/command_line.h>
+#include <magmpm/simulation/command_line.h>
 #include <magmpm/io/parameter_names.h>
 
 #include <map>

@@ -1,4 +1,4 @@
-#include <magmpm/run_control.h>
+#include <magmpm/simulation/run_control.h>
 
 #include <csignal>
 #include <filesystem>

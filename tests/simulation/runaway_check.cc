@@ -1,7 +1,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <magmpm/base/exceptions.h>
-#include <magmpm/runaway_check.h>
+#include <magmpm/simulation/runaway_check.h>
 
 #include "catch.h"
 
@@ -102,7 +102,7 @@ namespace
   }
 } // namespace
 
-TEST_CASE("particles within the limits are no runaways", "[top][mpi]")
+TEST_CASE("particles within the limits are no runaways", "[simulation][mpi]")
 {
   // J from 0.05 to 20 and up to 20 times the wave speed of 2 m/s are the documented defaults. At
   // the limits themselves, less rounding, nothing is said.
@@ -112,7 +112,7 @@ TEST_CASE("particles within the limits are no runaways", "[top][mpi]")
   CHECK(message({changed(ParticleProperty::velocity, 1, 39.99)}) == "");
 }
 
-TEST_CASE("all ranks name the particle that ran away, when and how", "[top][mpi]")
+TEST_CASE("all ranks name the particle that ran away, when and how", "[simulation][mpi]")
 {
   // One particle of the last rank is beyond one limit, and every rank throws the same message with
   // its id, the time at the end of the step, and the value with what is allowed.
@@ -130,7 +130,7 @@ TEST_CASE("all ranks name the particle that ran away, when and how", "[top][mpi]
   CHECK(contains(message({changed(ParticleProperty::velocity, 1, nan)}), id_on_last_rank(1)));
 }
 
-TEST_CASE("the particle furthest beyond a limit is named, of whatever body", "[top][mpi]")
+TEST_CASE("the particle furthest beyond a limit is named, of whatever body", "[simulation][mpi]")
 {
   // Two particles are too fast and one is expanded 100 times, five times the limit, which is more
   // than the twice of the fast ones. The body is the second one; the first is quiet.

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <magmpm/io/checkpoint.h>
+#include <magmpm/simulation/checkpoint.h>
 #include <magmpm/io/results.h>
-#include <magmpm/io/run_state.h>
+#include <magmpm/simulation/run_state.h>
 #include <magmpm/particles/body.h>
-#include <magmpm/time_step_control.h>
+#include <magmpm/simulation/time_step_control.h>
 
 #include <optional>
 #include <string>

@@ -1,10 +1,10 @@
 #include "catch.h"
 
-#include <magmpm/rest_check.h>
+#include <magmpm/simulation/rest_check.h>
 
 using namespace magmpm;
 
-TEST_CASE("rest must last to end a run", "[top]")
+TEST_CASE("rest must last to end a run", "[simulation]")
 {
   // Slower than 0.1 m/s from t = 1 on, for 0.5 s; a moment of speed in between begins it anew.
   RestParameters parameters;

@@ -1,5 +1,5 @@
 #include <magmpm/base/exceptions.h>
-#include <magmpm/io/parameter_changes.h>
+#include <magmpm/simulation/parameter_changes.h>
 #include <magmpm/io/parameter_file.h>
 
 #include <map>

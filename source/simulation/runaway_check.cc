@@ -2,7 +2,7 @@
 
 #include <magmpm/io/number_text.h>
 #include <magmpm/particles/particle_sums.h>
-#include <magmpm/runaway_check.h>
+#include <magmpm/simulation/runaway_check.h>
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 // and parameters that particles depend on are told from others.
 
 #include <magmpm/base/exceptions.h>
-#include <magmpm/io/checkpoint.h>
-#include <magmpm/io/parameter_changes.h>
+#include <magmpm/simulation/checkpoint.h>
+#include <magmpm/simulation/parameter_changes.h>
 
 #include "catch.h"
 #include "test_folder.h"
@@ -38,7 +38,7 @@ namespace
   }
 } // namespace
 
-TEST_CASE("A checkpoint is read as it was written", "[io][mpi]")
+TEST_CASE("A checkpoint is read as it was written", "[simulation][mpi]")
 {
   // On the same ranks each gets back what it wrote, in its order; read by one process alone, or by a
   // group of another size, no number is lost: their sum stays.
@@ -70,7 +70,7 @@ TEST_CASE("A checkpoint is read as it was written", "[io][mpi]")
   MPI_Comm_free(&half);
 }
 
-TEST_CASE("The latest checkpoint is a whole one", "[io][mpi]")
+TEST_CASE("The latest checkpoint is a whole one", "[simulation][mpi]")
 {
   // Two are kept; what a killed run left of a third, which no one named, is not read and is replaced;
   // the one that is named is never written over.
@@ -102,7 +102,7 @@ TEST_CASE("The latest checkpoint is a whole one", "[io][mpi]")
   CHECK_THROWS_AS(checkpoints.read(), InputError);
 }
 
-TEST_CASE("A checkpoint that cannot be written leaves the one before", "[io][mpi]")
+TEST_CASE("A checkpoint that cannot be written leaves the one before", "[simulation][mpi]")
 {
   // A folder stands where the file should be that names the next one: all ranks learn of it.
   const std::string folder = fresh_folder("checkpoint-full");
@@ -117,7 +117,7 @@ TEST_CASE("A checkpoint that cannot be written leaves the one before", "[io][mpi
   CHECK(checkpoints.read().run.back() == '1');
 }
 
-TEST_CASE("Parameters that particles depend on are told from others", "[io]")
+TEST_CASE("Parameters that particles depend on are told from others", "[simulation]")
 {
   const std::string then = R"(set Dimension = 2
 set End time = 1

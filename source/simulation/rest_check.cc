@@ -1,5 +1,5 @@
 #include <magmpm/io/number_text.h>
-#include <magmpm/rest_check.h>
+#include <magmpm/simulation/rest_check.h>
 
 namespace magmpm
 {

@@ -1,5 +1,5 @@
 #include <magmpm/base/exceptions.h>
-#include <magmpm/time_step_control.h>
+#include <magmpm/simulation/time_step_control.h>
 
 #include <algorithm>
 #include <cmath>

@@ -6,12 +6,12 @@
 #include <magmpm/base/version.h>
 #include <magmpm/coupling/fluid_density.h>
 #include <magmpm/io/number_text.h>
-#include <magmpm/io/parameter_changes.h>
+#include <magmpm/simulation/parameter_changes.h>
 #include <magmpm/coupling/magnetic_coupling.h>
-#include <magmpm/particle_reductions.h>
+#include <magmpm/simulation/particle_reductions.h>
 #include <magmpm/coupling/carried_force.h>
 #include <magmpm/particles/seeding.h>
-#include <magmpm/simulation.h>
+#include <magmpm/simulation/simulation.h>
 
 #include <algorithm>
 #include <cmath>

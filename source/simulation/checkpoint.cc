@@ -2,7 +2,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <magmpm/base/exceptions.h>
-#include <magmpm/io/checkpoint.h>
+#include <magmpm/simulation/checkpoint.h>
 
 #include <boost/crc.hpp>
 

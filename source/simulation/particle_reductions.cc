@@ -1,7 +1,7 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/mpi.templates.h>
 
-#include <magmpm/particle_reductions.h>
+#include <magmpm/simulation/particle_reductions.h>
 
 namespace magmpm
 {

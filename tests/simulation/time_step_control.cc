@@ -1,5 +1,5 @@
 #include <magmpm/base/exceptions.h>
-#include <magmpm/time_step_control.h>
+#include <magmpm/simulation/time_step_control.h>
 
 #include "catch.h"
 
@@ -53,7 +53,7 @@ namespace
   }
 } // namespace
 
-TEST_CASE("each limit of the time step binds in turn", "[top]")
+TEST_CASE("each limit of the time step binds in turn", "[simulation]")
 {
   // Conditions of which one limits the step, with the formula of the header worked out by hand. The
   // others are set such that they allow twice the step.
@@ -97,7 +97,7 @@ TEST_CASE("each limit of the time step binds in turn", "[top]")
   CHECK(step.length == 0.01);
 }
 
-TEST_CASE("without anything that moves the next frame is the only limit", "[top]")
+TEST_CASE("without anything that moves the next frame is the only limit", "[simulation]")
 {
   // All conditions zero, as for a body at rest without a wave speed: no limit divides by zero, and
   // the step is the way to the frame.
@@ -106,7 +106,7 @@ TEST_CASE("without anything that moves the next frame is the only limit", "[top]
   CHECK(step.length == 0.125);
 }
 
-TEST_CASE("adaptive steps meet frames without slivers", "[top]")
+TEST_CASE("adaptive steps meet frames without slivers", "[simulation]")
 {
   // Stable steps of 0.01 towards frames at 0.1, at 0.1 plus a thousandth of a step, and short of it.
   // The last two steps share what is left, so none is shorter than half a step.
@@ -129,7 +129,7 @@ TEST_CASE("adaptive steps meet frames without slivers", "[top]")
   CHECK(last.length == 0.008);
 }
 
-TEST_CASE("a fixed step is fixed, and only cut to meet a frame", "[top]")
+TEST_CASE("a fixed step is fixed, and only cut to meet a frame", "[simulation]")
 {
   // Steps of 5e-5 in frames of 2 ms: 40 of them, as in the paper, although the sum of 39 steps has
   // been rounded. In frames that are no multiple the last step is what is left, and says so.
@@ -147,7 +147,7 @@ TEST_CASE("a fixed step is fixed, and only cut to meet a frame", "[top]")
   CHECK(rest.limit == "frame end");
 }
 
-TEST_CASE("a fixed step beyond a limit is refused", "[top]")
+TEST_CASE("a fixed step beyond a limit is refused", "[simulation]")
 {
   // A step of 0.01, which the conditions just allow (0.4 dx/0.4), is taken; twice that speed halves
   // the limit. At the start of a run the fault is in the input, later the run has come to it.

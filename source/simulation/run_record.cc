@@ -1,7 +1,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <magmpm/base/version.h>
-#include <magmpm/run_record.h>
+#include <magmpm/simulation/run_record.h>
 
 #include <boost/serialization/utility.hpp>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <magmpm/io/run_parameters.h>
-#include <magmpm/io/run_state.h>
+#include <magmpm/simulation/run_state.h>
 #include <magmpm/particles/body.h>
 #include <magmpm/particles/particle_grid_transfer.h>
 

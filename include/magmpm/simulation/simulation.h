@@ -1,7 +1,7 @@
 #pragma once
 
-#include <magmpm/domain_decomposition.h>
-#include <magmpm/io/checkpoint.h>
+#include <magmpm/simulation/domain_decomposition.h>
+#include <magmpm/simulation/checkpoint.h>
 #include <magmpm/io/parameters.h>
 #include <magmpm/io/results.h>
 #include <magmpm/magnets/external_field.h>
@@ -10,12 +10,12 @@
 #include <magmpm/particles/particle_grid_transfer.h>
 #include <magmpm/particles/particle_sort.h>
 #include <magmpm/particles/particle_sums.h>
-#include <magmpm/rest_check.h>
+#include <magmpm/simulation/rest_check.h>
 #include <magmpm/coupling/rigid_body_coupling.h>
-#include <magmpm/run_control.h>
-#include <magmpm/run_record.h>
-#include <magmpm/runaway_check.h>
-#include <magmpm/time_step_control.h>
+#include <magmpm/simulation/run_control.h>
+#include <magmpm/simulation/run_record.h>
+#include <magmpm/simulation/runaway_check.h>
+#include <magmpm/simulation/time_step_control.h>
 
 #include <mpi.h>
 
