@@ -1,7 +1,7 @@
 #include <magmpm/base/version.h>
 #include <magmpm/simulation/command_line.h>
 #include <magmpm/parallel/error_report.h>
-#include <magmpm/io/parameters.h>
+#include <magmpm/parameters/parameters.h>
 #include <magmpm/simulation/simulation.h>
 
 #include <deal.II/base/mpi.h>

@@ -1,7 +1,7 @@
 #include <magnetic_accuracy/options.h>
 
 #include <magmpm/base/exceptions.h>
-#include <magmpm/io/parameter_names.h>
+#include <magmpm/parameters/parameter_names.h>
 
 #include <algorithm>
 #include <functional>

@@ -1,5 +1,5 @@
 #include <magmpm/base/exceptions.h>
-#include <magmpm/io/parameter_names.h>
+#include <magmpm/parameters/parameter_names.h>
 
 #include <speed_against_error/options.h>
 

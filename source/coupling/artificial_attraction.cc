@@ -1,8 +1,8 @@
 #include <deal.II/base/mpi.h>
 
 #include <magmpm/coupling/artificial_attraction.h>
-#include <magmpm/io/given_parameters.h>
-#include <magmpm/io/number_text.h>
+#include <magmpm/parameters/given_parameters.h>
+#include <magmpm/parameters/number_text.h>
 #include <magmpm/simulation/particle_reductions.h>
 
 namespace magmpm

@@ -1,7 +1,7 @@
 #include <magmpm/base/exceptions.h>
 #include <magmpm/base/simd.h>
 #include <magmpm/base/version.h>
-#include <magmpm/io/number_text.h>
+#include <magmpm/parameters/number_text.h>
 #include <magmpm/io/run_log.h>
 
 #include <cmath>

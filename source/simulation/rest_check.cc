@@ -1,4 +1,4 @@
-#include <magmpm/io/number_text.h>
+#include <magmpm/parameters/number_text.h>
 #include <magmpm/simulation/rest_check.h>
 
 namespace magmpm

@@ -29,7 +29,7 @@ TEST_CASE("--validate accepts all parameter files", "[program]")
 }
 
 // Wrong input ends with exit code 2 and one line on standard error, whatever is wrong; the wording of
-// the messages on parameters is tested in tests/io/parameter_errors.cc.
+// the messages on parameters is tested in tests/parameters/parameter_errors.cc.
 TEST_CASE("Wrong input ends with exit code 2 and one line", "[program]")
 {
   const auto refused = [](const std::string &arguments, const std::string &message) {

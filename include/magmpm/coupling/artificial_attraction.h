@@ -1,6 +1,6 @@
 #pragma once
 
-#include <magmpm/io/parameters.h>
+#include <magmpm/parameters/parameters.h>
 #include <magmpm/particles/body.h>
 
 #include <mpi.h>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <magmpm/simulation/domain_decomposition.h>
-#include <magmpm/io/parameters.h>
+#include <magmpm/parameters/parameters.h>
 #include <magmpm/simulation/run_state.h>
 #include <magmpm/lattice/node_field.h>
 #include <magmpm/magnets/external_field.h>

@@ -3,7 +3,7 @@
 #include <magmpm/boundary/lattice_boundary.h>
 #include <magmpm/boundary/rigid_bodies.h>
 #include <magmpm/boundary/rigid_collision.h>
-#include <magmpm/io/parameters.h>
+#include <magmpm/parameters/parameters.h>
 #include <magmpm/simulation/run_state.h>
 #include <magmpm/lattice/node_field.h>
 #include <magmpm/coupling/magnet_forces.h>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <magmpm/boundary/rigid_bodies.h>
-#include <magmpm/io/parameters.h>
+#include <magmpm/parameters/parameters.h>
 #include <magmpm/io/particle_output.h>
 #include <magmpm/io/rigid_body_output.h>
 #include <magmpm/io/run_log.h>

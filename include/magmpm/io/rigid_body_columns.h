@@ -1,7 +1,7 @@
 #pragma once
 
 #include <magmpm/boundary/rigid_bodies.h>
-#include <magmpm/io/parameters.h>
+#include <magmpm/parameters/parameters.h>
 #include <magmpm/simulation/run_state.h>
 #include <magmpm/io/statistics_file.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <magmpm/io/parameters.h>
+#include <magmpm/parameters/parameters.h>
 #include <magmpm/mesh/background_mesh.h>
 #include <magmpm/mesh/block_partition.h>
 #include <magmpm/particles/body.h>

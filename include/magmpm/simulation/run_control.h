@@ -1,6 +1,6 @@
 #pragma once
 
-#include <magmpm/io/run_parameters.h>
+#include <magmpm/parameters/run_parameters.h>
 
 #include <chrono>
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <magmpm/io/run_parameters.h>
+#include <magmpm/parameters/run_parameters.h>
 #include <magmpm/simulation/run_state.h>
 #include <magmpm/particles/body.h>
 #include <magmpm/particles/particle_grid_transfer.h>

@@ -2,7 +2,7 @@
 
 #include <magmpm/simulation/domain_decomposition.h>
 #include <magmpm/simulation/checkpoint.h>
-#include <magmpm/io/parameters.h>
+#include <magmpm/parameters/parameters.h>
 #include <magmpm/io/results.h>
 #include <magmpm/magnets/external_field.h>
 #include <magmpm/particles/body.h>
