@@ -1,7 +1,7 @@
 #pragma once
 
 #include <magmpm/simulation/checkpoint.h>
-#include <magmpm/io/results.h>
+#include <magmpm/results/results.h>
 #include <magmpm/simulation/run_state.h>
 #include <magmpm/particles/body.h>
 #include <magmpm/simulation/time_step_control.h>

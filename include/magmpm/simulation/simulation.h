@@ -3,7 +3,7 @@
 #include <magmpm/simulation/domain_decomposition.h>
 #include <magmpm/simulation/checkpoint.h>
 #include <magmpm/parameters/parameters.h>
-#include <magmpm/io/results.h>
+#include <magmpm/results/results.h>
 #include <magmpm/magnets/external_field.h>
 #include <magmpm/particles/body.h>
 #include <magmpm/particles/box_faces.h>

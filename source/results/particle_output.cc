@@ -1,6 +1,6 @@
 #include <magmpm/base/exceptions.h>
-#include <magmpm/io/particle_output.h>
-#include <magmpm/io/vtu_file.h>
+#include <magmpm/results/particle_output.h>
+#include <magmpm/results/vtu_file.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -2,7 +2,7 @@
 #include <magmpm/base/simd.h>
 #include <magmpm/base/version.h>
 #include <magmpm/parameters/number_text.h>
-#include <magmpm/io/run_log.h>
+#include <magmpm/results/run_log.h>
 
 #include <cmath>
 #include <cstdio>

@@ -1,5 +1,5 @@
 #include <magmpm/base/exceptions.h>
-#include <magmpm/io/pvd_record.h>
+#include <magmpm/results/pvd_record.h>
 
 #include <deal.II/base/data_out_base.h>
 

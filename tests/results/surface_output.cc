@@ -3,7 +3,7 @@
 #include "catch.h"
 
 #include <magmpm/base/constants.h>
-#include <magmpm/io/surface_output.h>
+#include <magmpm/results/surface_output.h>
 #include <magmpm/particles/seeding.h>
 
 #include <vtkCell.h>
@@ -88,7 +88,7 @@ namespace
   }
 } // namespace
 
-TEST_CASE("The surface of a sphere has its area and encloses its volume", "[io][mpi]")
+TEST_CASE("The surface of a sphere has its area and encloses its volume", "[results][mpi]")
 {
   // A sphere of radius 8 dx, on any number of ranks, beside a body without particles. Splines of width
   // s^2 = dx^2/4 draw the half level of a curved surface inward by s^2/R, 1/256 of the radius here: 1.2 %
@@ -120,7 +120,7 @@ TEST_CASE("The surface of a sphere has its area and encloses its volume", "[io][
   CHECK(contents(folder + "/surface.pvd").find("surface/surface_0007.vtp") != std::string::npos);
 }
 
-TEST_CASE("In 2D the surface is a closed line", "[io][mpi]")
+TEST_CASE("In 2D the surface is a closed line", "[results][mpi]")
 {
   // A disc of radius 8 dx: the lines add up to its circumference, and every point is the end of two
   // segments.
@@ -148,7 +148,7 @@ TEST_CASE("In 2D the surface is a closed line", "[io][mpi]")
   CHECK(std::all_of(ends.begin(), ends.end(), [](const auto &end) { return end.second == 2; }));
 }
 
-TEST_CASE("Bodies of a surface are told apart, and no particles make an empty file", "[io][mpi]")
+TEST_CASE("Bodies of a surface are told apart, and no particles make an empty file", "[results][mpi]")
 {
   // Spheres of 3 and 5 dx that do not touch, between them an empty body: cells of the numbers 0 and 2
   // alone, on the side where each sphere is.

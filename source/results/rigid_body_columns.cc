@@ -1,5 +1,5 @@
-#include <magmpm/io/rigid_body_columns.h>
-#include <magmpm/io/statistics_columns.h>
+#include <magmpm/results/rigid_body_columns.h>
+#include <magmpm/results/statistics_columns.h>
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include <magmpm/io/statistics_columns.h>
+#include <magmpm/results/statistics_columns.h>
 
 namespace magmpm
 {

@@ -1,7 +1,7 @@
 // Written particles, read back by VTK. VTK is what ParaView reads with, so what it finds is what a
 // user sees: as many vertices as all ranks have particles, with the values they were given.
 
-#include <magmpm/io/particle_output.h>
+#include <magmpm/results/particle_output.h>
 
 #include "catch.h"
 #include "test_folder.h"
@@ -107,7 +107,7 @@ namespace
 } // namespace
 
 TEMPLATE_TEST_CASE_SIG("written particles are read back by VTK",
-                       "[io][mpi]",
+                       "[results][mpi]",
                        ((int dim), dim),
                        2,
                        3)
@@ -136,7 +136,7 @@ TEMPLATE_TEST_CASE_SIG("written particles are read back by VTK",
   MPI_Barrier(MPI_COMM_WORLD);
 }
 
-TEST_CASE("a frame without any particle is a file that VTK reads", "[io][mpi]")
+TEST_CASE("a frame without any particle is a file that VTK reads", "[results][mpi]")
 {
   // All particles have left the box: no rank has any. VTK must read an empty grid that still
   // names its quantities, and say nothing.
@@ -156,7 +156,7 @@ TEST_CASE("a frame without any particle is a file that VTK reads", "[io][mpi]")
   MPI_Barrier(MPI_COMM_WORLD);
 }
 
-TEST_CASE("particles.pvd lists all frames so far", "[io][mpi]")
+TEST_CASE("particles.pvd lists all frames so far", "[results][mpi]")
 {
   // After each frame the record names that frame and all before it, with their times to ten
   // digits at least, and no half-written record lies beside it.

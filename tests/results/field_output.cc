@@ -1,7 +1,7 @@
 // Written fields, read back by VTK, which ParaView reads with.
 
 #include <magmpm/base/constants.h>
-#include <magmpm/io/field_output.h>
+#include <magmpm/results/field_output.h>
 
 #include "../magnetics/scene.h"
 #include "catch.h"
@@ -87,7 +87,7 @@ namespace
 
 // A linear sphere in a uniform field, written and read back: H is H_int plus the uniform field, B is
 // mu_0 (H + M), and H in the sphere is H_0/(1 + chi_0/dim), to the accuracy of the coarse one. Vectors have three components in 2D too.
-TEMPLATE_TEST_CASE_SIG("written fields are read back by VTK", "[io][mpi]", ((int dim), dim), 2, 3)
+TEMPLATE_TEST_CASE_SIG("written fields are read back by VTK", "[results][mpi]", ((int dim), dim), 2, 3)
 {
   const std::string folder = testing::fresh_folder("field_output-" + std::to_string(dim) + "d");
   MagneticsParameters<dim> parameters;
@@ -124,7 +124,7 @@ TEMPLATE_TEST_CASE_SIG("written fields are read back by VTK", "[io][mpi]", ((int
 // H_int has one value at every place: a stream tracer then draws continuous field lines. Cells share
 // their points, apart from hanging nodes, which the cells on both sides number for themselves: the
 // values of such points are compared with those at the same place.
-TEST_CASE("the written field is continuous", "[io]")
+TEST_CASE("the written field is continuous", "[results]")
 {
   const std::string folder = testing::fresh_folder("field_output-continuous");
   MagneticsParameters<2> parameters;
@@ -168,7 +168,7 @@ TEST_CASE("the written field is continuous", "[io]")
 
 // B - mu_0 H is mu_0 M, of the material as of the magnets: here of a rectangle beside a disc, inside of
 // which that is known at every node, and of nothing where neither is. Its faces belong to the outside.
-TEST_CASE("the written B counts the magnetization of magnets", "[io]")
+TEST_CASE("the written B counts the magnetization of magnets", "[results]")
 {
   const std::string folder = testing::fresh_folder("field_output-magnets");
   MagneticsParameters<2> parameters;
@@ -210,7 +210,7 @@ TEST_CASE("the written B counts the magnetization of magnets", "[io]")
   CHECK(n_inside > 4);
 }
 
-TEST_CASE("an unknown field quantity is an input error", "[io]")
+TEST_CASE("an unknown field quantity is an input error", "[results]")
 {
   CHECK_THROWS_WITH(FieldOutput<2>(MPI_COMM_WORLD, ".", {"H", "flux"}),
                     "The field quantity 'flux' is unknown. Allowed are: potential, H_int, H, M, B, "

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <magmpm/io/statistics_file.h>
+#include <magmpm/results/statistics_file.h>
 
 #include <string>
 #include <vector>

@@ -6,7 +6,7 @@
 #include <magmpm/base/simd.h>
 #include <magmpm/base/version.h>
 #include <magmpm/parameters/number_text.h>
-#include <magmpm/io/run_log.h>
+#include <magmpm/results/run_log.h>
 
 #include "catch.h"
 #include "test_folder.h"
@@ -50,7 +50,7 @@ namespace
   }
 } // namespace
 
-TEST_CASE("numbers are written as people read them", "[io]")
+TEST_CASE("numbers are written as people read them", "[results]")
 {
   // Thousands, prefixes, short exponents and durations, at the values where their form changes.
   CHECK(with_separators(0) == "0");
@@ -82,7 +82,7 @@ TEST_CASE("numbers are written as people read them", "[io]")
     CHECK(!seconds_from(text));
 }
 
-TEST_CASE("terminal and log.txt hold the same header, from rank 0 alone", "[io][mpi]")
+TEST_CASE("terminal and log.txt hold the same header, from rank 0 alone", "[results][mpi]")
 {
   // The header names version, instruction set, lattice, particles, unknowns and each body with its
   // particles and what it is made of. Wave speeds: sqrt((5e5 + 8e5)/2500) = 22.8 m/s and sqrt(1e6/1000) = 31.6 m/s. Where there
@@ -114,7 +114,7 @@ TEST_CASE("terminal and log.txt hold the same header, from rank 0 alone", "[io][
   MPI_Barrier(MPI_COMM_WORLD);
 }
 
-TEST_CASE("a frame is a line of fixed width", "[io]")
+TEST_CASE("a frame is a line of fixed width", "[results]")
 {
   // Percent, t with the digits that tell frames apart, dt and its limit, Newton and CG, speed: the
   // line of the manual. Lines of different frames line up, so that the eye can run down a column.
@@ -138,7 +138,7 @@ TEST_CASE("a frame is a line of fixed width", "[io]")
     CHECK(line.find("|v| <") == first.find("|v| <"));
 }
 
-TEST_CASE("a frame without a magnetic solve does not speak of Newton", "[io]")
+TEST_CASE("a frame without a magnetic solve does not speak of Newton", "[results]")
 {
   // A scene without magnetic material has no solves: the line must not pretend that there are any.
   // After the last frame no time is left.
@@ -151,7 +151,7 @@ TEST_CASE("a frame without a magnetic solve does not speak of Newton", "[io]")
   CHECK(terminal.str().find("frame 2/2 100 %") == 0);
 }
 
-TEST_CASE("warnings stand out and failures are kept in log.txt", "[io]")
+TEST_CASE("warnings stand out and failures are kept in log.txt", "[results]")
 {
   // A warning is on both; the reason of a failure only in the file, because the main function
   // writes it on standard error.
@@ -175,7 +175,7 @@ TEST_CASE("warnings stand out and failures are kept in log.txt", "[io]")
   CHECK(file.find("particles.pvd") == std::string::npos);
 }
 
-TEST_CASE("the timing table goes to terminal and log.txt", "[io][mpi]")
+TEST_CASE("the timing table goes to terminal and log.txt", "[results][mpi]")
 {
   // deal.II prints its table on all ranks together into the log's stream: one table must come out,
   // on both ends, and none from the ranks that are silent.
@@ -202,7 +202,7 @@ TEST_CASE("the timing table goes to terminal and log.txt", "[io][mpi]")
   MPI_Barrier(MPI_COMM_WORLD);
 }
 
-TEST_CASE("a log that cannot be opened says which and why", "[io]")
+TEST_CASE("a log that cannot be opened says which and why", "[results]")
 {
   // The message names the file and what to look at.
   CHECK_THROWS_WITH(RunLog(MPI_COMM_SELF, "no-such-folder", 1, 1., std::cout),

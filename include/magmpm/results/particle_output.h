@@ -1,7 +1,7 @@
 #pragma once
 
 #include <magmpm/base/tensor.h>
-#include <magmpm/io/pvd_record.h>
+#include <magmpm/results/pvd_record.h>
 
 #include <mpi.h>
 

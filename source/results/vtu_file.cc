@@ -1,5 +1,5 @@
 #include <magmpm/base/exceptions.h>
-#include <magmpm/io/vtu_file.h>
+#include <magmpm/results/vtu_file.h>
 
 #include <deal.II/base/data_out_base.h>
 #include <deal.II/base/mpi.h>

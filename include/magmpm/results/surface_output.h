@@ -1,6 +1,6 @@
 #pragma once
 
-#include <magmpm/io/pvd_record.h>
+#include <magmpm/results/pvd_record.h>
 #include <magmpm/lattice/lattice.h>
 #include <magmpm/particles/body.h>
 

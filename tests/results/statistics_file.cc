@@ -1,9 +1,9 @@
 // The statistics file: a table by name, exact to the last bit, that refuses to be filled wrongly.
 
 #include <magmpm/base/exceptions.h>
-#include <magmpm/io/rigid_body_columns.h>
-#include <magmpm/io/statistics_columns.h>
-#include <magmpm/io/statistics_file.h>
+#include <magmpm/results/rigid_body_columns.h>
+#include <magmpm/results/statistics_columns.h>
+#include <magmpm/results/statistics_file.h>
 
 #include "catch.h"
 #include "test_folder.h"
@@ -39,7 +39,7 @@ namespace
   }
 } // namespace
 
-TEST_CASE("statistics are set by name and written in the order of the columns", "[io][mpi]")
+TEST_CASE("statistics are set by name and written in the order of the columns", "[results][mpi]")
 {
   // Values go in in any order and by all ranks; rank 0 writes them under their headings. The lines
   // are those that RFC 4180 asks for, with the body's comma in quotes.
@@ -63,7 +63,7 @@ TEST_CASE("statistics are set by name and written in the order of the columns", 
   MPI_Barrier(MPI_COMM_WORLD);
 }
 
-TEST_CASE("a number in the statistics is read back to the last bit", "[io]")
+TEST_CASE("a number in the statistics is read back to the last bit", "[results]")
 {
   // 17 digits tell all doubles apart, so what std::stod reads is the number that was set, for the
   // smallest and largest ones and for 0.1 + 0.2, which 16 digits would not tell from 0.3.
@@ -83,7 +83,7 @@ TEST_CASE("a number in the statistics is read back to the last bit", "[io]")
     }
 }
 
-TEST_CASE("wrong names and forgotten values in the statistics are errors", "[io]")
+TEST_CASE("wrong names and forgotten values in the statistics are errors", "[results]")
 {
   // These are mistakes in the program, in any build: a column that does not exist, two columns of
   // one name, a value that is missing in a row although an earlier row had it.
@@ -100,7 +100,7 @@ TEST_CASE("wrong names and forgotten values in the statistics are errors", "[io]
   CHECK_THROWS_WITH(statistics.write_row(), "A row of statistics lacks the value of 'x'.");
 }
 
-TEST_CASE("a statistics file that cannot be opened says which and why", "[io]")
+TEST_CASE("a statistics file that cannot be opened says which and why", "[results]")
 {
   // The folder does not exist: the message must name the file and what to look at.
   CHECK_THROWS_WITH(StatisticsFile(MPI_COMM_SELF, "no-such-folder/statistics.csv", {{"x", "-"}}),
@@ -110,7 +110,7 @@ TEST_CASE("a statistics file that cannot be opened says which and why", "[io]")
                   RunError);
 }
 
-TEST_CASE("the columns of a scene have units of its dimension", "[io]")
+TEST_CASE("the columns of a scene have units of its dimension", "[results]")
 {
   // Two bodies in 3D: 33 columns of the scene, 6 a body, one a phase. In 2D momenta and energies
   // are per metre of depth, and there is one angular momentum.
@@ -137,7 +137,7 @@ TEST_CASE("the columns of a scene have units of its dimension", "[io]")
                                columns_3d));
 }
 
-TEST_CASE("doc/statistics.md explains every column", "[io]")
+TEST_CASE("doc/statistics.md explains every column", "[results]")
 {
   // The manual names each column of a scene in code quotes, with the vector's name for its
   // components: a column added without a word in the manual fails here. A bar within a table of

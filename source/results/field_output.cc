@@ -1,7 +1,7 @@
 #include <magmpm/base/constants.h>
 #include <magmpm/base/exceptions.h>
-#include <magmpm/io/field_output.h>
-#include <magmpm/io/vtu_file.h>
+#include <magmpm/results/field_output.h>
+#include <magmpm/results/vtu_file.h>
 #include <magmpm/magnetics/material_points.h>
 #include <magmpm/elliptic/potential_space.h>
 

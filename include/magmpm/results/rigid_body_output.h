@@ -1,7 +1,7 @@
 #pragma once
 
 #include <magmpm/boundary/rigid_bodies.h>
-#include <magmpm/io/pvd_record.h>
+#include <magmpm/results/pvd_record.h>
 #include <magmpm/magnets/external_field.h>
 
 #include <mpi.h>

@@ -1,5 +1,5 @@
 #include <magmpm/base/exceptions.h>
-#include <magmpm/io/statistics_file.h>
+#include <magmpm/results/statistics_file.h>
 
 #include <algorithm>
 #include <charconv>

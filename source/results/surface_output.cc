@@ -2,7 +2,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <magmpm/base/exceptions.h>
-#include <magmpm/io/surface_output.h>
+#include <magmpm/results/surface_output.h>
 #include <magmpm/surface/volume_fraction.h>
 
 #include <vtkAppendPolyData.h>

@@ -1,10 +1,10 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
 
-#include <magmpm/io/field_output.h>
-#include <magmpm/io/results.h>
-#include <magmpm/io/rigid_body_columns.h>
-#include <magmpm/io/statistics_columns.h>
+#include <magmpm/results/field_output.h>
+#include <magmpm/results/results.h>
+#include <magmpm/results/rigid_body_columns.h>
+#include <magmpm/results/statistics_columns.h>
 
 #include <cmath>
 #include <filesystem>

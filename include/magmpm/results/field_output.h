@@ -1,6 +1,6 @@
 #pragma once
 
-#include <magmpm/io/pvd_record.h>
+#include <magmpm/results/pvd_record.h>
 #include <magmpm/magnetics/potential_problem.h>
 
 #include <mpi.h>

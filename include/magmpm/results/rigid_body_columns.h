@@ -3,7 +3,7 @@
 #include <magmpm/boundary/rigid_bodies.h>
 #include <magmpm/parameters/parameters.h>
 #include <magmpm/simulation/run_state.h>
-#include <magmpm/io/statistics_file.h>
+#include <magmpm/results/statistics_file.h>
 
 #include <vector>
 

@@ -2,12 +2,12 @@
 
 #include <magmpm/boundary/rigid_bodies.h>
 #include <magmpm/parameters/parameters.h>
-#include <magmpm/io/particle_output.h>
-#include <magmpm/io/rigid_body_output.h>
-#include <magmpm/io/run_log.h>
+#include <magmpm/results/particle_output.h>
+#include <magmpm/results/rigid_body_output.h>
+#include <magmpm/results/run_log.h>
 #include <magmpm/simulation/run_state.h>
-#include <magmpm/io/statistics_file.h>
-#include <magmpm/io/surface_output.h>
+#include <magmpm/results/statistics_file.h>
+#include <magmpm/results/surface_output.h>
 #include <magmpm/particles/body.h>
 #include <magmpm/particles/particle_sums.h>
 

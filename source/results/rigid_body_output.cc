@@ -1,8 +1,8 @@
 #include <deal.II/base/mpi.h>
 
 #include <magmpm/base/exceptions.h>
-#include <magmpm/io/rigid_body_output.h>
-#include <magmpm/io/vtu_file.h>
+#include <magmpm/results/rigid_body_output.h>
+#include <magmpm/results/vtu_file.h>
 
 #include <filesystem>
 
