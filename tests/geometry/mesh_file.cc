@@ -6,7 +6,7 @@
 #include <magmpm/geometry/mesh_file.h>
 #include <magmpm/geometry/mesh_interior.h>
 
-#include "../io/test_folder.h"
+#include "../test_folder.h"
 #include "test_meshes.h"
 
 using namespace magmpm;

@@ -13,7 +13,7 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 
-#include "../io/test_folder.h"
+#include "../test_folder.h"
 #include "shape_checks.h"
 #include "test_meshes.h"
 

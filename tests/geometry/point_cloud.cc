@@ -6,7 +6,7 @@
 #include <magmpm/base/exceptions.h>
 #include <magmpm/geometry/point_cloud_shape.h>
 
-#include "../io/test_folder.h"
+#include "../test_folder.h"
 
 using namespace magmpm;
 using namespace magmpm::testing;

@@ -2,7 +2,7 @@
 // messages on wrong ones.
 
 #include "../catch.h"
-#include "test_folder.h"
+#include "../test_folder.h"
 
 #include <magmpm/base/exceptions.h>
 #include <magmpm/parameters/parameters.h>

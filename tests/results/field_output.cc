@@ -5,7 +5,7 @@
 
 #include "../magnetics/scene.h"
 #include "catch.h"
-#include "test_folder.h"
+#include "../test_folder.h"
 #include <vtkDataArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>

@@ -4,7 +4,7 @@
 #include <magmpm/results/particle_output.h>
 
 #include "catch.h"
-#include "test_folder.h"
+#include "../test_folder.h"
 #include <vtkDataArray.h>
 #include <vtkNew.h>
 #include <vtkOutputWindow.h>

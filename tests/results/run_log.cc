@@ -9,7 +9,7 @@
 #include <magmpm/results/run_log.h>
 
 #include "catch.h"
-#include "test_folder.h"
+#include "../test_folder.h"
 
 #include <iostream>
 #include <sstream>

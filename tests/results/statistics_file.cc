@@ -6,7 +6,7 @@
 #include <magmpm/results/statistics_file.h>
 
 #include "catch.h"
-#include "test_folder.h"
+#include "../test_folder.h"
 
 #include <algorithm>
 #include <cmath>

@@ -14,7 +14,7 @@
 #include <vtkPolyData.h>
 #include <vtkXMLPolyDataReader.h>
 
-#include "test_folder.h"
+#include "../test_folder.h"
 
 #include <cmath>
 #include <map>

@@ -6,7 +6,7 @@
 #include <magmpm/simulation/parameter_changes.h>
 
 #include "catch.h"
-#include "test_folder.h"
+#include "../test_folder.h"
 
 #include <mpi.h>
 
