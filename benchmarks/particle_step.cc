@@ -6,7 +6,7 @@
 #include <magmpm/base/simd.h>
 #include <magmpm/base/version.h>
 #include <magmpm/parallel/error_report.h>
-#include <magmpm/parameters/number_text.h>
+#include <magmpm/base/number_text.h>
 
 #include <deal.II/base/mpi.h>
 

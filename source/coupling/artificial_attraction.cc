@@ -2,7 +2,7 @@
 
 #include <magmpm/coupling/artificial_attraction.h>
 #include <magmpm/parameters/given_parameters.h>
-#include <magmpm/parameters/number_text.h>
+#include <magmpm/base/number_text.h>
 #include <magmpm/simulation/particle_reductions.h>
 
 namespace magmpm

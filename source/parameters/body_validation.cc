@@ -1,7 +1,7 @@
 #include <magmpm/geometry/point_cloud_shape.h>
 #include <magmpm/geometry/shape_overlap.h>
 #include <magmpm/parameters/given_parameters.h>
-#include <magmpm/parameters/number_text.h>
+#include <magmpm/base/number_text.h>
 #include <magmpm/parameters/parameter_names.h>
 #include <magmpm/parameters/section_validation.h>
 

@@ -6,14 +6,6 @@
 
 namespace magmpm
 {
-  std::string
-  to_text(const double number)
-  {
-    std::ostringstream text;
-    text << number;
-    return text.str();
-  }
-
   std::vector<std::string>
   given_of(const ParameterRegister &declarations,
            const std::string &section,

@@ -1,5 +1,5 @@
 #include <magmpm/parameters/given_parameters.h>
-#include <magmpm/parameters/number_text.h>
+#include <magmpm/base/number_text.h>
 #include <magmpm/parameters/parameter_validation.h>
 #include <magmpm/parameters/section_validation.h>
 

@@ -2,7 +2,7 @@
 #include <magmpm/geometry/shape_overlap.h>
 #include <magmpm/parameters/given_parameters.h>
 #include <magmpm/parameters/input_file.h>
-#include <magmpm/parameters/number_text.h>
+#include <magmpm/base/number_text.h>
 #include <magmpm/parameters/section_validation.h>
 #include <magmpm/magnets/make_source.h>
 #include <magmpm/motion/motion_script.h>

@@ -1,7 +1,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <magmpm/simulation/domain_decomposition.h>
-#include <magmpm/parameters/number_text.h>
+#include <magmpm/base/number_text.h>
 #include <magmpm/particles/box_faces.h>
 #include <magmpm/particles/particle_migration.h>
 

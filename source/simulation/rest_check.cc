@@ -1,4 +1,4 @@
-#include <magmpm/parameters/number_text.h>
+#include <magmpm/base/number_text.h>
 #include <magmpm/simulation/rest_check.h>
 
 namespace magmpm

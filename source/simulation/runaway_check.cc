@@ -1,6 +1,6 @@
 #include <deal.II/base/mpi.h>
 
-#include <magmpm/parameters/number_text.h>
+#include <magmpm/base/number_text.h>
 #include <magmpm/particles/particle_sums.h>
 #include <magmpm/simulation/runaway_check.h>
 

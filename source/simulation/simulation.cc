@@ -5,7 +5,7 @@
 #include <magmpm/coupling/artificial_attraction.h>
 #include <magmpm/base/version.h>
 #include <magmpm/coupling/fluid_density.h>
-#include <magmpm/parameters/number_text.h>
+#include <magmpm/base/number_text.h>
 #include <magmpm/simulation/parameter_changes.h>
 #include <magmpm/coupling/magnetic_coupling.h>
 #include <magmpm/simulation/particle_reductions.h>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <magmpm/base/number_text.h>
 #include <magmpm/parameters/parameter_register.h>
 
 #include <string>
@@ -9,9 +10,6 @@
 namespace magmpm
 {
   inline constexpr const char *axis_names = "xyz";
-
-  std::string
-  to_text(const double number);
 
   /** The parameters of @p names in @p section that were given. */
   std::vector<std::string>

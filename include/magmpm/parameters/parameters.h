@@ -11,6 +11,7 @@
 #include <magmpm/mesh/mesh_parameters.h>
 #include <magmpm/particles/body_parameters.h>
 #include <magmpm/coupling/point_attraction.h>
+#include <magmpm/coupling/solve_trigger_parameters.h>
 
 #include <string>
 #include <vector>

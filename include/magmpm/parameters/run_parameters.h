@@ -27,22 +27,6 @@ namespace magmpm
     double duration     = 0.;    ///< .. for so long [s]
   };
 
-  /** When the potential is solved again. */
-  struct SolveTriggerParameters
-  {
-    enum class Trigger
-    {
-      when_changed, ///< material moved by a fraction of dx, or the external field changed
-      every_step,
-      every_n_steps
-    };
-
-    Trigger trigger         = Trigger::when_changed;
-    double moved_fraction   = 0.15; ///< of dx
-    double changed_fraction = 0.01; ///< of the largest external field
-    int n_steps             = 10;
-  };
-
   /** Beyond these a run has failed: it stops, keeps the last good output and names the particle. */
   struct RunawayLimits
   {

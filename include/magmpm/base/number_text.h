@@ -25,6 +25,10 @@ namespace magmpm
   std::string
   scientific(const double value);
 
+  /** 0.25 as "0.25": six digits, as a message needs them. */
+  std::string
+  to_text(const double number);
+
   /** {0.25, 0.5} as "0.25, 0.5". */
   template <int dim>
   inline std::string

@@ -1,4 +1,4 @@
-#include <magmpm/parameters/number_text.h>
+#include <magmpm/base/number_text.h>
 
 #include <cmath>
 #include <cstdio>
@@ -86,5 +86,13 @@ namespace magmpm
       if (unit == name)
         return number * seconds;
     return {};
+  }
+
+  std::string
+  to_text(const double number)
+  {
+    std::ostringstream text;
+    text << number;
+    return text.str();
   }
 } // namespace magmpm
