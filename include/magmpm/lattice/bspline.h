@@ -1,5 +1,7 @@
 #pragma once
 
+#include <magmpm/lattice/lattice.h>
+
 namespace magmpm
 {
   /** Nodes that a quadratic B-spline reaches in one direction. */
@@ -30,5 +32,31 @@ namespace magmpm
     derivatives[0] = offset - 1.5;
     derivatives[1] = -2. * (offset - 1.);
     derivatives[2] = offset - 0.5;
+  }
+
+  /**
+   * Calls f(node, weight) for the 3^dim nodes whose B-splines reach @p position, x fastest, with the
+   * products of their weights. One particle at a time: the kernels of P2G and G2P take many.
+   */
+  template <int dim, typename Function>
+  inline void
+  for_stencil(const Lattice<dim> &lattice, const Vector<dim> &position, const Function &f)
+  {
+    const Index<dim> base = lattice.base_node(position);
+    const Vector<dim> x   = lattice.reduced(position);
+    double weights[dim][stencil_width];
+    for (int d = 0; d < dim; ++d)
+      quadratic_bspline(x[d] - base[d], weights[d]);
+    for (int i = 0; i < power(stencil_width, dim); ++i)
+      {
+        Index<dim> node = base;
+        double weight   = 1.;
+        for (int d = 0, rest = i; d < dim; ++d, rest /= stencil_width)
+          {
+            node[d] += rest % stencil_width;
+            weight *= weights[d][rest % stencil_width];
+          }
+        f(node, weight);
+      }
   }
 } // namespace magmpm

@@ -38,6 +38,17 @@ namespace magmpm
     return block;
   }
 
+  /** The number of a node in its block: 0 .. 4^dim - 1, x fastest. */
+  template <int dim>
+  inline int
+  number_in_block(const Index<dim> &node)
+  {
+    int number = 0;
+    for (int d = dim - 1; d >= 0; --d)
+      number = block_edge * number + (node[d] & (block_edge - 1));
+    return number;
+  }
+
   /**
    * The lattice of the material point method: nodes with spacing dx, counted from the lower corner
    * of the mechanical box (the walls); negative outside.
