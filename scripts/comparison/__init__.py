@@ -1,0 +1,1 @@
+"""What scripts/compare_with is made of."""
