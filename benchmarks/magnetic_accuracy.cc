@@ -80,7 +80,7 @@ main(int argc, char **argv)
   std::ostream silence(nullptr);
   const bool first       = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
   std::ostream &terminal = first ? std::cout : silence;
-  return static_cast<int>(report_errors(MPI_COMM_WORLD, std::cerr, [&]() {
+  return static_cast<int>(parallel::report_errors(MPI_COMM_WORLD, std::cerr, [&]() {
     run_program(parse_options({argv + 1, argv + argc}, case_groups()), terminal);
   }));
 }

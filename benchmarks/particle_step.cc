@@ -120,7 +120,7 @@ int
 main(int argc, char **argv)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  return static_cast<int>(report_errors(MPI_COMM_WORLD, std::cerr, [&]() {
+  return static_cast<int>(parallel::report_errors(MPI_COMM_WORLD, std::cerr, [&]() {
     run_program(parse_step_options({argv + 1, argv + argc}));
   }));
 }

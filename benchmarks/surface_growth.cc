@@ -88,5 +88,5 @@ int
 main(int argc, char **argv)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  return static_cast<int>(report_errors(MPI_COMM_SELF, std::cerr, run_program));
+  return static_cast<int>(parallel::report_errors(MPI_COMM_SELF, std::cerr, run_program));
 }

@@ -1,65 +1,18 @@
 #include <magmpm/parallel/error_report.h>
+#include <magmpm/parallel/failure.h>
+#include <magmpm/parallel/ranks.h>
 
-#include <deal.II/base/exceptions.h>
+#include <fcntl.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <ostream>
-#include <sstream>
 #include <thread>
 
-namespace magmpm
+namespace magmpm::parallel
 {
   namespace
   {
-    struct Failure
-    {
-      ExitCode exit_code = ExitCode::success;
-      std::string message;
-    };
-
-    /** What deal.II says about an error of its own, on one line and without its banner. */
-    std::string
-    in_one_line(const dealii::ExceptionBase &error)
-    {
-      std::ostringstream information;
-      error.print_info(information);
-      std::istringstream words(information.str());
-      std::string text, word;
-      while (words >> word)
-        text += " " + word;
-      return "an error in deal.II (" + std::string(error.get_exc_name()) + "):" + text;
-    }
-
-    Failure
-    failure_of(const std::function<void()> &program)
-    {
-      try
-        {
-          program();
-          return {};
-        }
-      catch (const InputError &error)
-        {
-          return {ExitCode::wrong_input, error.what()};
-        }
-      catch (const dealii::ExceptionBase &error)
-        {
-          return {ExitCode::failed_run, in_one_line(error)};
-        }
-      catch (const std::bad_alloc &)
-        {
-          return {ExitCode::failed_run, "the memory is full. Use larger cells, or more machines."};
-        }
-      catch (const std::exception &error)
-        {
-          return {ExitCode::failed_run, error.what()};
-        }
-      catch (...)
-        {
-          return {ExitCode::failed_run, "an exception of unknown type."};
-        }
-    }
-
     /** Whether all ranks come here within @p patience. */
     bool
     all_ranks_arrive(const MPI_Comm communicator, const std::chrono::duration<double> patience)
@@ -77,19 +30,32 @@ namespace magmpm
     }
   } // namespace
 
+  void
+  FailureLog::write(const std::string &text) const noexcept
+  {
+    if (path.empty())
+      return;
+    // To the end as it is now, in one piece, whatever another process writes meanwhile.
+    const int file = open(path.c_str(), O_WRONLY | O_APPEND);
+    if (file < 0)
+      return;
+    const std::string line = "FAILED: " + text + "\n";
+    // What cannot be written here was said on the terminal.
+    [[maybe_unused]] const auto written = ::write(file, line.data(), line.size());
+    close(file);
+  }
+
   ExitCode
   report_errors(const MPI_Comm communicator,
                 std::ostream &messages,
-                const std::function<void()> &program)
+                const std::function<void(FailureLog &)> &program)
   {
     // Its own communicator, so that what a failed rank says meets no message of the others.
     MPI_Comm failures;
     MPI_Comm_dup(communicator, &failures);
-    int rank, n_ranks;
-    MPI_Comm_rank(communicator, &rank);
-    MPI_Comm_size(communicator, &n_ranks);
 
-    const Failure failure = failure_of(program);
+    FailureLog log;
+    const Failure failure = failure_of([&]() { program(log); });
     if (failure.exit_code == ExitCode::success)
       {
         MPI_Comm_free(&failures);
@@ -97,15 +63,27 @@ namespace magmpm
       }
 
     // The lowest rank that failed loses patience first, and its abort silences the others.
-    const std::chrono::duration<double> patience(2. + 0.1 * rank);
-    const bool together = all_ranks_arrive(failures, patience);
-    if (rank == 0 || !together)
-      messages << "magmpm: " << (together ? "" : "rank " + std::to_string(rank) + ": ")
-               << failure.message << std::endl;
-    if (!together)
+    const unsigned int this_rank = rank(communicator);
+    const std::chrono::duration<double> patience(2. + 0.1 * this_rank);
+    const bool all_failed = all_ranks_arrive(failures, patience);
+    if (this_rank == 0 || !all_failed)
+      {
+        const std::string who = all_failed ? "" : "rank " + std::to_string(this_rank) + ": ";
+        messages << "magmpm: " << who << failure.message << std::endl;
+        log.write(who + failure.message);
+      }
+    if (!all_failed)
       MPI_Abort(communicator, static_cast<int>(failure.exit_code));
 
     MPI_Comm_free(&failures);
     return failure.exit_code;
   }
-} // namespace magmpm
+
+  ExitCode
+  report_errors(const MPI_Comm communicator,
+                std::ostream &messages,
+                const std::function<void()> &program)
+  {
+    return report_errors(communicator, messages, [&program](FailureLog &) { program(); });
+  }
+} // namespace magmpm::parallel
