@@ -1,4 +1,6 @@
+#include <magmpm/magnetics/field_quantities.h>
 #include <magmpm/parameters/parameter_sections.h>
+#include <magmpm/particles/particle_quantities.h>
 
 namespace magmpm
 {
@@ -171,8 +173,8 @@ namespace magmpm
     {
       const auto section         = declarations.enter("Output");
       output.frame_interval      = 2e-3;
-      output.particle_quantities = {"velocity", "J", "von_mises_stress", "magnetization", "body"};
-      output.field_quantities    = {"potential", "H_int", "H", "M", "B", "number_density"};
+      output.particle_quantities = names_of(particle_quantities<3>());
+      output.field_quantities    = names_of(field_quantities<3>());
       declarations.add("Frame interval",
                        output.frame_interval,
                        "s",

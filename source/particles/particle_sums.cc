@@ -1,4 +1,5 @@
 #include <magmpm/base/constants.h>
+#include <magmpm/particles/particle_quantities.h>
 #include <magmpm/particles/particle_state.h>
 #include <magmpm/particles/particle_sums.h>
 
@@ -18,21 +19,6 @@ namespace magmpm
         return {{c(2, 1) - c(1, 2), c(0, 2) - c(2, 0), c(1, 0) - c(0, 1)}};
       else
         return {{c(1, 0) - c(0, 1)}};
-    }
-
-    /** M of grains that are spread over @p volume_ratio times their undeformed volume. */
-    template <int dim, typename Number>
-    Vector<dim, Number>
-    diluted_magnetization(const MagneticParameters &magnetic,
-                          const MagnetizationModel &law,
-                          const Number volume_ratio,
-                          const Vector<dim, Number> &field)
-    {
-      return magnetization(
-        law,
-        MagneticContentOf<Number>{magnetic.saturation_magnetization / volume_ratio,
-                                  magnetic.initial_susceptibility / volume_ratio},
-        field);
     }
 
     template <typename Number>
@@ -173,44 +159,6 @@ namespace magmpm
   }
 
   template <int dim>
-  double
-  particle_volume_ratio(const Body<dim> &body, const std::size_t p)
-  {
-    return std::visit(
-      [&](const auto &law) {
-        using Law = std::decay_t<decltype(law)>;
-        return law.volume_ratio(load_state<dim, Law>(body.particles.arrays(), p));
-      },
-      body.material);
-  }
-
-  template <int dim>
-  double
-  particle_von_mises_stress(const Body<dim> &body, const std::size_t p)
-  {
-    const auto particles = body.particles.arrays();
-    return std::visit(
-      [&](const auto &law) {
-        using Law = std::decay_t<decltype(law)>;
-        return law.von_mises_stress(load_state<dim, Law>(particles, p),
-                                    load_matrix<dim>(particles.affine_velocity, p));
-      },
-      body.material);
-  }
-
-  template <int dim>
-  Vector<dim>
-  particle_magnetization(const Body<dim> &body, const MagnetizationModel &law, const std::size_t p)
-  {
-    if (!body.magnetic.is_magnetic())
-      return {};
-    return diluted_magnetization(body.magnetic,
-                                 law,
-                                 particle_volume_ratio(body, p),
-                                 body.particles.vector(ParticleProperty::magnetic_field, p));
-  }
-
-  template <int dim>
   ParticleSums<dim>
   particle_sums(const Body<dim> &body,
                 const Lattice<dim> &lattice,
@@ -269,12 +217,8 @@ namespace magmpm
   template struct ParticleSums<dim>;                                                           \
   template ParticleSums<dim> particle_sums(                                                    \
     const Body<dim> &, const Lattice<dim> &, const Vector<dim> &, const MagnetizationModel &); \
-  template Vector<dim> particle_magnetization(                                                 \
-    const Body<dim> &, const MagnetizationModel &, std::size_t);                               \
   template void remember_positions(Body<dim> &);                                               \
-  template double way_since_solve(const Body<dim> &);                                          \
-  template double particle_volume_ratio(const Body<dim> &, std::size_t);                       \
-  template double particle_von_mises_stress(const Body<dim> &, std::size_t);
+  template double way_since_solve(const Body<dim> &);
 
   INSTANTIATE(2)
   INSTANTIATE(3)

@@ -1,91 +1,18 @@
-#include <magmpm/base/constants.h>
-#include <magmpm/base/exceptions.h>
-#include <magmpm/results/field_output.h>
-#include <magmpm/results/vtu_file.h>
-#include <magmpm/magnetics/material_points.h>
 #include <magmpm/elliptic/potential_space.h>
+#include <magmpm/magnetics/material_points.h>
+#include <magmpm/results/field_output.h>
+#include <magmpm/results/written_values.h>
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/fe/fe_tools.h>
 
 #include <algorithm>
-#include <filesystem>
 
 namespace magmpm
 {
   namespace
   {
-    const std::string subfolder = "fields";
-
     template <int dim>
     constexpr int n_cell_nodes = power(potential_degree + 1, dim);
-
-    /** The fields at one node. */
-    template <int dim>
-    struct NodeValues
-    {
-      double potential;
-      double number_density;
-      Vector<dim> self_field, field, magnetization;
-      Vector<dim> magnetization_of_magnets;
-    };
-
-    struct Quantity
-    {
-      std::string name, unit;
-      bool is_vector;
-    };
-
-    const std::vector<Quantity> &
-    all_quantities()
-    {
-      static const std::vector<Quantity> list = {{"potential", "A", false},
-                                                 {"H_int", "A/m", true},
-                                                 {"H", "A/m", true},
-                                                 {"M", "A/m", true},
-                                                 {"B", "T", true},
-                                                 {"number_density", "1/m^3", false}};
-      return list;
-    }
-
-    /** One quantity at all nodes, in single precision; vectors get a third component in 2D. */
-    template <int dim>
-    VtuQuantity
-    written_quantity(const Quantity &quantity, const std::vector<NodeValues<dim>> &nodes)
-    {
-      VtuQuantity written = {
-        quantity.name + " [" + quantity.unit + "]", quantity.is_vector ? 3 : 1, {}};
-      written.values.assign(written.n_components * nodes.size(), 0.f);
-      const auto scalars = [&](const auto &value) {
-        for (std::size_t i = 0; i < nodes.size(); ++i)
-          written.values[i] = static_cast<float>(value(nodes[i]));
-      };
-      const auto vectors = [&](const auto &value) {
-        for (std::size_t i = 0; i < nodes.size(); ++i)
-          {
-            const Vector<dim> vector = value(nodes[i]);
-            for (int d = 0; d < dim; ++d)
-              written.values[3 * i + d] = static_cast<float>(vector[d]);
-          }
-      };
-      using Node = NodeValues<dim>;
-      if (quantity.name == "potential")
-        scalars([](const Node &at) { return at.potential; });
-      else if (quantity.name == "H_int")
-        vectors([](const Node &at) { return at.self_field; });
-      else if (quantity.name == "H")
-        vectors([](const Node &at) { return at.field; });
-      else if (quantity.name == "M")
-        vectors([](const Node &at) { return at.magnetization; });
-      else if (quantity.name == "B")
-        vectors([](const Node &at) {
-          return constants::vacuum_permeability *
-                 (at.field + at.magnetization + at.magnetization_of_magnets);
-        });
-      else if (quantity.name == "number_density")
-        scalars([](const Node &at) { return at.number_density; });
-      return written;
-    }
 
     /** Derivatives of the shape functions of FE_Q(2) at its nodes on [0, 1]: (node, function). */
     constexpr double derivative_1d[3][3] = {{-3., 4., -1.}, {-1., 0., 1.}, {1., -4., 3.}};
@@ -193,10 +120,10 @@ namespace magmpm
         return dofs;
       }
 
-      NodeValues<dim>
+      FieldValues<dim>
       operator()(const dealii::types::global_dof_index dof, const Vector<dim> &position) const
       {
-        NodeValues<dim> values;
+        FieldValues<dim> values;
         values.potential = potential(dof);
         std::copy_n(self_field(dof).data(), dim, values.self_field.values);
         values.field = values.self_field + sources.field(position);
@@ -287,7 +214,7 @@ namespace magmpm
       VtuPiece piece;
 
       /** What is known at the points. */
-      std::vector<NodeValues<dim>> values;
+      std::vector<FieldValues<dim>> values;
 
     private:
       const NodalFields<dim> &fields;
@@ -344,47 +271,14 @@ namespace magmpm
   } // namespace
 
   template <int dim>
-  const std::vector<std::string> &
-  FieldOutput<dim>::quantity_names()
-  {
-    static const std::vector<std::string> names = [] {
-      std::vector<std::string> list;
-      for (const Quantity &quantity : all_quantities())
-        list.push_back(quantity.name);
-      return list;
-    }();
-    return names;
-  }
-
-  template <int dim>
   FieldOutput<dim>::FieldOutput(const MPI_Comm communicator,
                                 const std::string &directory,
                                 const std::vector<std::string> &quantities)
     : communicator(communicator)
-    , directory(directory)
-    , quantities(quantities)
-    , record(directory + "/" + subfolder + ".pvd")
+    , quantities(chosen_quantities(field_quantities<dim>(), quantities, "field"))
+    , series(communicator, directory, field_frames)
   {
-    std::string allowed;
-    for (const std::string &name : quantity_names())
-      allowed += (allowed.empty() ? "" : ", ") + name;
-    for (const std::string &name : quantities)
-      if (std::count(quantity_names().begin(), quantity_names().end(), name) == 0)
-        throw InputError("The field quantity '" + name + "' is unknown. Allowed are: " + allowed +
-                         ".");
-
-    // All ranks learn of a failure: one that threw alone would leave the others waiting.
-    const std::filesystem::path folder = std::filesystem::path(directory) / subfolder;
-    int is_made                        = 1;
-    if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-      {
-        std::error_code error;
-        std::filesystem::create_directories(folder, error);
-        is_made = !error;
-      }
-    if (dealii::Utilities::MPI::min(is_made, communicator) == 0)
-      throw RunError("The folder '" + folder.string() +
-                     "' for the fields cannot be made. Are you allowed to write there?");
+    series.make_folder();
   }
 
   template <int dim>
@@ -396,14 +290,15 @@ namespace magmpm
   {
     const NodalFields<dim> fields(potential, sources);
     NodeGrid<dim> grid(fields, *potential.solution().space);
-    for (const Quantity &quantity : all_quantities())
-      if (std::count(quantities.begin(), quantities.end(), quantity.name) > 0)
-        grid.piece.quantities.push_back(written_quantity(quantity, grid.values));
-
+    const auto for_each_node = [&](const auto &action) {
+      for (const FieldValues<dim> &values : grid.values)
+        action(values);
+    };
+    for (const FieldQuantity<dim> &quantity : quantities)
+      grid.piece.quantities.push_back(written_values(quantity, grid.values.size(), for_each_node));
     const std::string file =
-      write_vtu(communicator, directory + "/" + subfolder, subfolder, {frame, time}, grid.piece);
-    if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-      record.add(time, subfolder + "/" + file);
+      write_vtu(communicator, series.folder(), series.name(), {frame, time}, grid.piece);
+    series.add(time, file);
   }
 
   template class FieldOutput<2>;

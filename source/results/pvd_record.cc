@@ -1,8 +1,6 @@
 #include <magmpm/base/exceptions.h>
 #include <magmpm/results/pvd_record.h>
 
-#include <deal.II/base/data_out_base.h>
-
 #include <cstdio>
 #include <fstream>
 
@@ -21,7 +19,13 @@ namespace magmpm
     const std::string unfinished = path + ".unfinished";
     {
       std::ofstream output(unfinished);
-      dealii::DataOutBase::write_pvd_record(output, all_frames);
+      output.precision(12);
+      output << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" "
+                "ByteOrder=\"LittleEndian\">\n<Collection>\n";
+      for (const auto &[time_of_frame, file_of_frame] : all_frames)
+        output << "<DataSet timestep=\"" << time_of_frame << "\" group=\"\" part=\"0\" file=\""
+               << file_of_frame << "\"/>\n";
+      output << "</Collection>\n</VTKFile>\n";
       output.close();
       if (!output)
         throw RunError("The list of frames '" + unfinished +

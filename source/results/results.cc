@@ -60,48 +60,6 @@ namespace magmpm
         names.push_back(body.name);
       return names;
     }
-
-    /** The values of one quantity that a user may ask for, of all particles of this rank. */
-    template <int dim>
-    ParticleQuantity
-    written_quantity(const std::string &name,
-                     const std::vector<Body<dim>> &bodies,
-                     const MagnetizationModel &law)
-    {
-      const auto fill = [&](const std::string &unit, const int n_components, const auto &value) {
-        ParticleQuantity quantity;
-        quantity.name         = name;
-        quantity.unit         = unit;
-        quantity.n_components = n_components;
-        for (std::size_t b = 0; b < bodies.size(); ++b)
-          for (std::size_t p = 0; p < bodies[b].particles.size(); ++p)
-            value(b, p, quantity.values);
-        return quantity;
-      };
-      const auto append = [](const Vector<dim> &vector, std::vector<double> &values) {
-        for (int d = 0; d < dim; ++d)
-          values.push_back(vector[d]);
-      };
-      if (name == "velocity")
-        return fill("m/s", dim, [&](const std::size_t b, const std::size_t p, auto &values) {
-          append(bodies[b].particles.vector(ParticleProperty::velocity, p), values);
-        });
-      if (name == "magnetization")
-        return fill("A/m", dim, [&](const std::size_t b, const std::size_t p, auto &values) {
-          append(particle_magnetization(bodies[b], law, p), values);
-        });
-      if (name == "J")
-        return fill("-", 1, [&](const std::size_t b, const std::size_t p, auto &values) {
-          values.push_back(particle_volume_ratio(bodies[b], p));
-        });
-      if (name == "von_mises_stress")
-        return fill("Pa", 1, [&](const std::size_t b, const std::size_t p, auto &values) {
-          values.push_back(particle_von_mises_stress(bodies[b], p));
-        });
-      return fill("-", 1, [&](const std::size_t b, const std::size_t, auto &values) {
-        values.push_back(static_cast<double>(b));
-      });
-    }
   } // namespace
 
   template <int dim>
@@ -125,7 +83,10 @@ namespace magmpm
                                          phases,
                                          rigid_body_columns(parameters)),
                  progress != nullptr ? progress->statistics_size : 0)
-    , particle_output(communicator, parameters.output.directory)
+    , particle_output(communicator,
+                      parameters.output.directory,
+                      parameters.output.particle_quantities,
+                      parameters.magnetics.model())
   {
     if (parameters.mesh.carries_potential && parameters.output.write_fields)
       field_output = std::make_unique<FieldOutput<dim>>(
@@ -200,14 +161,7 @@ namespace magmpm
   {
     if (!parameters.output.write_particles)
       return;
-    std::vector<Vector<dim>> positions;
-    std::vector<ParticleQuantity> quantities;
-    for (const Body<dim> &body : bodies)
-      for (std::size_t p = 0; p < body.particles.size(); ++p)
-        positions.push_back(body.particles.position(p));
-    for (const std::string &name : parameters.output.particle_quantities)
-      quantities.push_back(written_quantity(name, bodies, parameters.magnetics.model()));
-    particle_output.write_frame(state.frame, state.time, positions, quantities);
+    particle_output.write_frame(state.frame, state.time, bodies);
   }
 
   template <int dim>

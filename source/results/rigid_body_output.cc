@@ -1,17 +1,12 @@
 #include <deal.II/base/mpi.h>
 
-#include <magmpm/base/exceptions.h>
 #include <magmpm/results/rigid_body_output.h>
 #include <magmpm/results/vtu_file.h>
-
-#include <filesystem>
 
 namespace magmpm
 {
   namespace
   {
-    const std::string subfolder = "rigid_bodies";
-
     /** The numbers that VTK gives lines and triangles. */
     constexpr int line = 3, triangle = 5;
   } // namespace
@@ -23,10 +18,9 @@ namespace magmpm
                                         const RigidBodies<dim> &bodies,
                                         const double spacing)
     : communicator(communicator)
-    , directory(directory)
     , sources(sources)
     , bodies(bodies)
-    , record(directory + "/" + subfolder + ".pvd")
+    , series(communicator, directory, rigid_body_frames)
   {
     const int n_sources = static_cast<int>(sources.sources().size());
     for (int s = 0; s < n_sources; ++s)
@@ -40,18 +34,8 @@ namespace magmpm
           body_numbers.push_back(b);
         }
 
-    // All ranks learn of a failure: one that threw alone would leave the others waiting.
-    int is_made                        = 1;
-    const std::filesystem::path folder = std::filesystem::path(directory) / subfolder;
-    if (!things.empty() && dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-      {
-        std::error_code error;
-        std::filesystem::create_directories(folder, error);
-        is_made = !error;
-      }
-    if (dealii::Utilities::MPI::min(is_made, communicator) == 0)
-      throw RunError("The folder '" + folder.string() +
-                     "' for the rigid bodies cannot be made. Are you allowed to write there?");
+    if (!things.empty())
+      series.make_folder();
   }
 
   template <int dim>
@@ -93,9 +77,8 @@ namespace magmpm
             piece.cells.push_back(first + corner);
       }
     const std::string file =
-      write_vtu(communicator, directory + "/" + subfolder, subfolder, {frame, time}, piece);
-    if (is_writer)
-      record.add(time, subfolder + "/" + file);
+      write_vtu(communicator, series.folder(), series.name(), {frame, time}, piece);
+    series.add(time, file);
   }
 
   template class RigidBodyOutput<2>;

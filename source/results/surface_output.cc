@@ -1,5 +1,4 @@
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/utilities.h>
 
 #include <magmpm/base/exceptions.h>
 #include <magmpm/results/surface_output.h>
@@ -22,14 +21,11 @@
 #include <vtkXMLPolyDataWriter.h>
 
 #include <algorithm>
-#include <filesystem>
 
 namespace magmpm
 {
   namespace
   {
-    const std::string subfolder = "surface";
-
     /** Where the fraction is a half; triangles or lines. */
     template <int dim>
     vtkSmartPointer<vtkPolyData>
@@ -122,21 +118,10 @@ namespace magmpm
                                     const std::string &directory,
                                     const Lattice<dim> &lattice)
     : communicator(communicator)
-    , directory(directory)
     , lattice(lattice)
-    , record(directory + "/" + subfolder + ".pvd")
+    , series(communicator, directory, surface_frames)
   {
-    const std::filesystem::path folder = std::filesystem::path(directory) / subfolder;
-    int is_made                        = 1;
-    if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-      {
-        std::error_code error;
-        std::filesystem::create_directories(folder, error);
-        is_made = !error;
-      }
-    if (dealii::Utilities::MPI::min(is_made, communicator) == 0)
-      throw RunError("The folder '" + folder.string() +
-                     "' for the surface cannot be made. Are you allowed to write there?");
+    series.make_folder();
   }
 
   template <int dim>
@@ -154,9 +139,9 @@ namespace magmpm
           all->AddInputData(surface_of(fraction, lattice, b));
       }
 
-    const std::string file = subfolder + "/" + subfolder + "_" +
-                             dealii::Utilities::int_to_string(frame, 4) + ".vtp";
-    int is_written = 1;
+    const std::string file = frame_name(series.name(), frame) + ".vtp";
+    const std::string path = series.folder() + "/" + file;
+    int is_written         = 1;
     if (is_first)
       {
         vtkSmartPointer<vtkPolyData> surface = vtkSmartPointer<vtkPolyData>::New();
@@ -166,13 +151,12 @@ namespace magmpm
             all->Update();
             surface = all->GetOutput();
           }
-        is_written = write(surface, directory + "/" + file);
+        is_written = write(surface, path);
       }
     if (dealii::Utilities::MPI::min(is_written, communicator) == 0)
-      throw RunError("The surface '" + directory + "/" + file +
+      throw RunError("The surface '" + path +
                      "' cannot be written. Is the disk full, or the output directory gone?");
-    if (is_first)
-      record.add(time, file);
+    series.add(time, file);
   }
 
   template class SurfaceOutput<2>;

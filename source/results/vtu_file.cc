@@ -1,7 +1,7 @@
 #include <magmpm/base/exceptions.h>
+#include <magmpm/results/frame_series.h>
 #include <magmpm/results/vtu_file.h>
 
-#include <deal.II/base/data_out_base.h>
 #include <deal.II/base/mpi.h>
 
 #include <cstdint>
@@ -205,7 +205,7 @@ namespace magmpm
             const VtuFrame &frame,
             const VtuPiece &piece)
   {
-    const std::string stem  = series + '_' + dealii::Utilities::int_to_string(frame.number, 4);
+    const std::string stem  = frame_name(series, frame.number);
     const std::string name  = stem + ".0.vtu";
     const unsigned int rank = dealii::Utilities::MPI::this_mpi_process(communicator);
 

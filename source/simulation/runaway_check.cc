@@ -1,7 +1,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <magmpm/base/number_text.h>
-#include <magmpm/particles/particle_sums.h>
+#include <magmpm/particles/particle_quantities.h>
 #include <magmpm/simulation/runaway_check.h>
 
 #include <algorithm>

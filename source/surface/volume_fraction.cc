@@ -1,8 +1,8 @@
 #include <deal.II/base/mpi.h>
 
-#include <magmpm/surface/volume_fraction.h>
 #include <magmpm/lattice/bspline.h>
-#include <magmpm/particles/particle_sums.h>
+#include <magmpm/particles/particle_quantities.h>
+#include <magmpm/surface/volume_fraction.h>
 
 #include <algorithm>
 #include <limits>

@@ -4,8 +4,8 @@
 #include <magmpm/results/field_output.h>
 
 #include "../magnetics/scene.h"
-#include "catch.h"
 #include "../test_folder.h"
+#include "catch.h"
 #include <vtkDataArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -87,7 +87,11 @@ namespace
 
 // A linear sphere in a uniform field, written and read back: H is H_int plus the uniform field, B is
 // mu_0 (H + M), and H in the sphere is H_0/(1 + chi_0/dim), to the accuracy of the coarse one. Vectors have three components in 2D too.
-TEMPLATE_TEST_CASE_SIG("written fields are read back by VTK", "[results][mpi]", ((int dim), dim), 2, 3)
+TEMPLATE_TEST_CASE_SIG("written fields are read back by VTK",
+                       "[results][mpi]",
+                       ((int dim), dim),
+                       2,
+                       3)
 {
   const std::string folder = testing::fresh_folder("field_output-" + std::to_string(dim) + "d");
   MagneticsParameters<dim> parameters;
@@ -102,7 +106,7 @@ TEMPLATE_TEST_CASE_SIG("written fields are read back by VTK", "[results][mpi]", 
   const ExternalField<dim> sources({test::uniform_source<dim>(outer)});
   scene.problem.solve(scene.content, sources);
 
-  FieldOutput<dim> output(MPI_COMM_WORLD, folder, FieldOutput<dim>::quantity_names());
+  FieldOutput<dim> output(MPI_COMM_WORLD, folder, names_of(field_quantities<dim>()));
   output.write_frame(7, 0.25, scene.problem, sources);
 
   if (testing::this_rank() == 0)

@@ -3,8 +3,8 @@
 
 #include <magmpm/results/particle_output.h>
 
-#include "catch.h"
 #include "../test_folder.h"
+#include "catch.h"
 #include <vtkDataArray.h>
 #include <vtkNew.h>
 #include <vtkOutputWindow.h>
@@ -19,30 +19,37 @@ using namespace magmpm;
 
 namespace
 {
-  /** Values that can be told from the position: v = 2 x (a vector), J = x + 3 y (a scalar). */
+  /** A fluid whose particles have values that can be told from the position: v = 2 x, J = x + 3 y. */
   template <int dim>
-  std::vector<ParticleQuantity>
-  quantities_at(const std::vector<Vector<dim>> &positions)
+  std::vector<Body<dim>>
+  body_on_a_curve(const int n, const int rank)
   {
-    ParticleQuantity velocity = {"velocity", "m/s", dim, {}}, J = {"J", "-", 1, {}};
-    for (const Vector<dim> &x : positions)
+    BodyParameters<dim> parameters;
+    parameters.density = 1000.;
+    MaterialParameters material;
+    material.law = MechanicalLaw::viscoelastic_fluid;
+    std::vector<Body<dim>> bodies(1, Body<dim>(parameters, material));
+    ParticleSet<dim> &particles = bodies[0].particles;
+    particles.resize(n);
+    for (int p = 0; p < n; ++p)
       {
+        Vector<dim> x;
         for (int d = 0; d < dim; ++d)
-          velocity.values.push_back(2. * x[d]);
-        J.values.push_back(x[0] + 3. * x[1]);
+          {
+            x[d] = std::sin(1. + p + 100 * rank + 10 * d);
+            particles.component(ParticleProperty::position, d)[p] = x[d];
+            particles.component(ParticleProperty::velocity, d)[p] = 2. * x[d];
+          }
+        particles.component(ParticleProperty::deformation, 0)[p] = x[0] + 3. * x[1];
       }
-    return {velocity, J};
+    return bodies;
   }
 
   template <int dim>
-  std::vector<Vector<dim>>
-  positions_on_a_curve(const int n, const int rank)
+  ParticleOutput<dim>
+  output_into(const std::string &folder)
   {
-    std::vector<Vector<dim>> positions(n);
-    for (int p = 0; p < n; ++p)
-      for (int d = 0; d < dim; ++d)
-        positions[p][d] = std::sin(1. + p + 100 * rank + 10 * d);
-    return positions;
+    return {MPI_COMM_WORLD, folder, {"velocity", "J"}, MagnetizationLaw::linear};
   }
 
   /** Counts the errors that VTK would print (a reader does not pass on those of its pieces). */
@@ -118,11 +125,10 @@ TEMPLATE_TEST_CASE_SIG("written particles are read back by VTK",
   const bool is_empty      = (n_ranks > 1 && rank == n_ranks - 1);
   const std::string folder = testing::fresh_folder("particle_output-" + std::to_string(dim) + "d");
 
-  const auto positions = positions_on_a_curve<dim>(is_empty ? 0 : 7 + rank, rank);
-  ParticleOutput<dim> output(MPI_COMM_WORLD, folder);
-  output.write_frame(3, 0.006, positions, quantities_at(positions));
+  const auto bodies = body_on_a_curve<dim>(is_empty ? 0 : 7 + rank, rank);
+  output_into<dim>(folder).write_frame(3, 0.006, bodies);
 
-  int n_particles = positions.size();
+  int n_particles = bodies[0].particles.size();
   MPI_Allreduce(MPI_IN_PLACE, &n_particles, 1, MPI_INT, MPI_SUM, MPI_COMM_WORLD);
   if (rank == 0)
     {
@@ -141,9 +147,7 @@ TEST_CASE("a frame without any particle is a file that VTK reads", "[results][mp
   // All particles have left the box: no rank has any. VTK must read an empty grid that still
   // names its quantities, and say nothing.
   const std::string folder = testing::fresh_folder("particle_output-empty");
-  const std::vector<Vector<3>> positions;
-  ParticleOutput<3> output(MPI_COMM_WORLD, folder);
-  output.write_frame(0, 0., positions, quantities_at(positions));
+  output_into<3>(folder).write_frame(0, 0., body_on_a_curve<3>(0, testing::this_rank()));
 
   if (testing::this_rank() == 0)
     {
@@ -161,10 +165,10 @@ TEST_CASE("particles.pvd lists all frames so far", "[results][mpi]")
   // After each frame the record names that frame and all before it, with their times to ten
   // digits at least, and no half-written record lies beside it.
   const std::string folder = testing::fresh_folder("particle_output-pvd");
-  const auto positions     = positions_on_a_curve<3>(2, testing::this_rank());
-  ParticleOutput<3> output(MPI_COMM_WORLD, folder);
-  output.write_frame(0, 0., positions, quantities_at(positions));
-  output.write_frame(1, 0.00200000001, positions, quantities_at(positions));
+  const auto bodies        = body_on_a_curve<3>(2, testing::this_rank());
+  auto output              = output_into<3>(folder);
+  output.write_frame(0, 0., bodies);
+  output.write_frame(1, 0.00200000001, bodies);
 
   if (testing::this_rank() == 0)
     {

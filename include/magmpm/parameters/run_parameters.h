@@ -60,8 +60,8 @@ namespace magmpm
     bool write_fields       = true;
     bool write_rigid_bodies = true;
     bool write_surface      = false;
-    std::vector<std::string> particle_quantities; ///< names of particle_property table
-    std::vector<std::string> field_quantities;    ///< potential, H_int, H, M, B, number_density
+    std::vector<std::string> particle_quantities; ///< names in particle_quantities()
+    std::vector<std::string> field_quantities;    ///< names in field_quantities()
     int statistics_every = 1;                     ///< steps
   };
 } // namespace magmpm

@@ -26,25 +26,6 @@ namespace magmpm
 
   inline constexpr int n_particle_properties = 10;
 
-  /** Name and unit of each quantity, in the order of ParticleProperty. */
-  struct ParticlePropertyInfo
-  {
-    const char *name;
-    const char *unit;
-  };
-
-  inline constexpr std::array<ParticlePropertyInfo, n_particle_properties> particle_property_info =
-    {{{"position", "m"},
-      {"velocity", "m/s"},
-      {"affine velocity", "1/s"},
-      {"deformation", "-"},
-      {"mass", "kg"},
-      {"volume", "m^3"},
-      {"magnetic acceleration", "m/s^2"},
-      {"magnetic acceleration rate", "1/s^2"},
-      {"magnetic field", "A/m"},
-      {"position at solve", "m"}}};
-
   /**
    * The arrays of a particle set as the kernels see them: one pointer per component.
    *

@@ -70,19 +70,4 @@ namespace magmpm
   template <int dim>
   double
   way_since_solve(const Body<dim> &body);
-
-  /** M [A/m] of a particle in the field H of the last solve: its grains in its present volume. */
-  template <int dim>
-  Vector<dim>
-  particle_magnetization(const Body<dim> &body, const MagnetizationModel &law, const std::size_t p);
-
-  /** J of a particle. */
-  template <int dim>
-  double
-  particle_volume_ratio(const Body<dim> &body, const std::size_t p);
-
-  /** Von Mises stress of a particle [Pa]. */
-  template <int dim>
-  double
-  particle_von_mises_stress(const Body<dim> &body, const std::size_t p);
 } // namespace magmpm

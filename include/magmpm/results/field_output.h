@@ -1,7 +1,8 @@
 #pragma once
 
-#include <magmpm/results/pvd_record.h>
+#include <magmpm/magnetics/field_quantities.h>
 #include <magmpm/magnetics/potential_problem.h>
+#include <magmpm/results/frame_series.h>
 
 #include <mpi.h>
 
@@ -10,20 +11,13 @@
 
 namespace magmpm
 {
+  inline const FrameKind field_frames = {"fields", "magnetic fields on the mesh (ParaView)"};
+
   /**
    * Writes the magnetic fields of a frame for ParaView, on the adaptive mesh of the potential: one file
    * `fields/fields_<frame>.0.vtu` of all ranks together, a .pvtu beside it, and `fields.pvd`, which
-   * lists the frames so far and is what a user opens. Quantities, called "name [unit]":
-   *
-   *   potential       phi [A]
-   *   H_int           -grad phi [A/m], the field that the material makes
-   *   H               H_int + H_ext [A/m]
-   *   M               magnetization [A/m]
-   *   B               mu_0 (H + M) [T]
-   *   number_density  of grains [1/m^3]
-   *
-   * M and thus B are those of material: inside a magnet its own magnetization is not in them.
-   * All are values at the nodes of FE_Q(2), each cell cut in 2^dim, in single precision; H_int, which
+   * lists the frames so far and is what a user opens. Quantities (field_quantities()) are called
+   * "name [unit]". All are values at the nodes of FE_Q(2), each cell cut in 2^dim, in single precision; H_int, which
    * jumps between cells, is averaged there, so that field lines drawn by a stream tracer are continuous. M and the density
    * of grains are means over the quadrature points around a node.
    */
@@ -34,7 +28,7 @@ namespace magmpm
     /**
      * Makes the folder `fields` in @p directory, which must exist. Collective.
      *
-     * @param quantities  the names above that are written.
+     * @param quantities  names of those that are written.
      * @throw InputError if a name is unknown, RunError if the folder cannot be made.
      */
     FieldOutput(const MPI_Comm communicator,
@@ -54,21 +48,16 @@ namespace magmpm
                 const PotentialProblem<dim> &potential,
                 const ExternalField<dim> &sources);
 
-    /** The names of all quantities. */
-    static const std::vector<std::string> &
-    quantity_names();
-
     /** The frames written so far, fields.pvd. */
-    PvdRecord &
+    FrameSeries &
     frames()
     {
-      return record;
+      return series;
     }
 
   private:
     const MPI_Comm communicator;
-    const std::string directory;
-    const std::vector<std::string> quantities;
-    PvdRecord record;
+    const std::vector<FieldQuantity<dim>> quantities;
+    FrameSeries series;
   };
 } // namespace magmpm

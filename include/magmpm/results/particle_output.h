@@ -1,7 +1,7 @@
 #pragma once
 
-#include <magmpm/base/tensor.h>
-#include <magmpm/results/pvd_record.h>
+#include <magmpm/particles/particle_quantities.h>
+#include <magmpm/results/frame_series.h>
 
 #include <mpi.h>
 
@@ -10,21 +10,14 @@
 
 namespace magmpm
 {
-  /** One named quantity of all particles of this rank, as it is written. */
-  struct ParticleQuantity
-  {
-    std::string name;
-    std::string unit;           ///< "m/s"; "-" if it has none
-    int n_components = 1;       ///< 1 (scalar) or dim (vector)
-    std::vector<double> values; ///< by particle, then by component
-  };
+  inline const FrameKind particle_frames = {"particles", "particles, frame by frame (ParaView)"};
 
   /**
    * Writes the particles of a frame for ParaView: one file `particles/particles_<frame>.0.vtu` of
    * all ranks together, a .pvtu beside it, and `particles.pvd`, which lists the frames so far and
-   * is what a user opens. Every particle is a vertex cell; quantities are called "name [unit]" and
-   * stored in single precision; a vector has three components in 2D too (the third is zero), so
-   * that ParaView takes it for one.
+   * is what a user opens. Every particle is a vertex cell; quantities (particle_quantities()) are
+   * called "name [unit]" and stored in single precision; a vector has three components in 2D too
+   * (the third is zero), so that ParaView takes it for one.
    */
   template <int dim>
   class ParticleOutput
@@ -33,34 +26,36 @@ namespace magmpm
     /**
      * Makes the folder `particles` in @p directory, which must exist. Collective.
      *
-     * @throw RunError if the folder cannot be made.
+     * @param quantities  names of those that are written.
+     * @param law         of magnetization.
+     * @throw InputError if a name is unknown, RunError if the folder cannot be made.
      */
-    ParticleOutput(const MPI_Comm communicator, const std::string &directory);
+    ParticleOutput(const MPI_Comm communicator,
+                   const std::string &directory,
+                   const std::vector<std::string> &quantities,
+                   const MagnetizationModel &law);
 
     /**
-     * Writes one frame; ranks without particles take part with empty lists. Collective.
+     * Writes one frame; ranks without particles take part. Collective.
      *
-     * @param frame       number of the frame, in the names of the files.
-     * @param time        [s].
-     * @param positions   of this rank's particles [m].
-     * @param quantities  the same names in the same order on all ranks.
+     * @param frame   number of the frame, in the names of the files.
+     * @param time    [s].
+     * @param bodies  with this rank's particles.
      */
     void
-    write_frame(const unsigned int frame,
-                const double time,
-                const std::vector<Vector<dim>> &positions,
-                const std::vector<ParticleQuantity> &quantities);
+    write_frame(const unsigned int frame, const double time, const std::vector<Body<dim>> &bodies);
 
     /** The frames written so far, particles.pvd. */
-    PvdRecord &
+    FrameSeries &
     frames()
     {
-      return record;
+      return series;
     }
 
   private:
     const MPI_Comm communicator;
-    const std::string directory;
-    PvdRecord record;
+    const std::vector<ParticleQuantity<dim>> quantities;
+    const MagnetizationModel law;
+    FrameSeries series;
   };
 } // namespace magmpm

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <magmpm/boundary/rigid_bodies.h>
-#include <magmpm/results/pvd_record.h>
 #include <magmpm/magnets/external_field.h>
+#include <magmpm/results/frame_series.h>
 
 #include <mpi.h>
 
@@ -11,6 +11,9 @@
 
 namespace magmpm
 {
+  inline const FrameKind rigid_body_frames = {"rigid_bodies",
+                                              "surfaces of magnets and rigid bodies (ParaView)"};
+
   /**
    * The surfaces of magnets and rigid bodies as ParaView shows them: rigid_bodies.pvd and a file a frame,
    * with the number of the thing at each point: magnets first, in the order of their list, then the
@@ -37,10 +40,10 @@ namespace magmpm
     write_frame(const unsigned int frame, const double time);
 
     /** The frames so far, for a run that is resumed. */
-    PvdRecord &
+    FrameSeries &
     frames()
     {
-      return record;
+      return series;
     }
 
   private:
@@ -55,10 +58,9 @@ namespace magmpm
     pose_of(const Thing &thing) const;
 
     const MPI_Comm communicator;
-    const std::string directory;
     const ExternalField<dim> &sources;
     const RigidBodies<dim> &bodies;
-    PvdRecord record;
+    FrameSeries series;
     std::vector<Thing> things;
     std::vector<std::size_t> body_numbers; ///< in bodies, of those that are not magnets
   };

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <magmpm/results/pvd_record.h>
 #include <magmpm/lattice/lattice.h>
 #include <magmpm/particles/body.h>
+#include <magmpm/results/frame_series.h>
 
 #include <mpi.h>
 
@@ -11,6 +11,8 @@
 
 namespace magmpm
 {
+  inline const FrameKind surface_frames = {"surface", "surfaces of the bodies (ParaView)"};
+
   /**
    * Writes a surface around the particles of each body for ParaView: `surface/surface_<frame>.vtp` of
    * all bodies together, told apart by the cell quantity "body [-]", and `surface.pvd`, which lists
@@ -44,16 +46,15 @@ namespace magmpm
     write_frame(const unsigned int frame, const double time, const std::vector<Body<dim>> &bodies);
 
     /** The frames written so far, surface.pvd. */
-    PvdRecord &
+    FrameSeries &
     frames()
     {
-      return record;
+      return series;
     }
 
   private:
     const MPI_Comm communicator;
-    const std::string directory;
     const Lattice<dim> lattice;
-    PvdRecord record;
+    FrameSeries series;
   };
 } // namespace magmpm

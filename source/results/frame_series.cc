@@ -1,0 +1,104 @@
+#include <magmpm/base/exceptions.h>
+#include <magmpm/results/frame_series.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <regex>
+
+namespace magmpm
+{
+  namespace
+  {
+    /** An action of rank 0; if it fails, all ranks throw the RunError. */
+    template <typename Action>
+    void
+    on_first_rank(const MPI_Comm communicator, const Action &action)
+    {
+      std::string error;
+      if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+        {
+          try
+            {
+              action();
+            }
+          catch (const std::exception &exception)
+            {
+              error = exception.what();
+            }
+        }
+      error = dealii::Utilities::MPI::broadcast(communicator, error, 0);
+      if (!error.empty())
+        throw RunError(error);
+    }
+  } // namespace
+
+  FrameSeries::FrameSeries(const MPI_Comm communicator,
+                           const std::string &directory,
+                           const FrameKind &kind)
+    : communicator(communicator)
+    , directory(directory)
+    , kind(kind)
+    , record(directory + "/" + kind.record_name())
+  {
+  }
+
+  void
+  FrameSeries::make_folder() const
+  {
+    on_first_rank(communicator, [this]() {
+      std::error_code error;
+      std::filesystem::create_directories(folder(), error);
+      std::string things = kind.name;
+      std::replace(things.begin(), things.end(), '_', ' ');
+      if (error)
+        throw RunError("The folder '" + folder() + "' for the " + things +
+                       " cannot be made. Are you allowed to write there?");
+    });
+  }
+
+  void
+  FrameSeries::add(const double time, const std::string &file)
+  {
+    on_first_rank(communicator, [&]() { record.add(time, kind.name + "/" + file); });
+  }
+
+  std::string
+  frame_name(const std::string &series, const unsigned int frame)
+  {
+    char number[16];
+    std::snprintf(number, sizeof(number), "_%04u", frame);
+    return series + number;
+  }
+
+  void
+  remove_frames(const std::string &directory, const FrameKind &kind)
+  {
+    namespace fs          = std::filesystem;
+    const fs::path folder = fs::path(directory) / kind.name;
+    const std::regex of_frame(kind.name + "_[0-9]{4,}([.]0[.]vtu|[.]pvtu|[.]vtp)");
+    try
+      {
+        // The record first: it shall never name a frame that is gone.
+        fs::remove(fs::path(directory) / kind.record_name());
+        if (!fs::is_directory(folder))
+          return;
+        std::vector<fs::path> frames;
+        for (const auto &entry : fs::directory_iterator(folder))
+          if (std::regex_match(entry.path().filename().string(), of_frame))
+            frames.push_back(entry.path());
+        for (const fs::path &frame : frames)
+          fs::remove(frame);
+        if (fs::is_empty(folder))
+          fs::remove(folder);
+      }
+    catch (const fs::filesystem_error &error)
+      {
+        throw RunError("The frames that an earlier run left in '" + folder.string() +
+                       "' cannot be removed: " + error.code().message() +
+                       ". Are you allowed to write there?");
+      }
+  }
+} // namespace magmpm
