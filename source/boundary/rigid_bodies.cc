@@ -1,27 +1,10 @@
 #include <magmpm/boundary/rigid_bodies.h>
 
 #include <algorithm>
-#include <iomanip>
-#include <sstream>
 #include <utility>
 
 namespace magmpm
 {
-  namespace
-  {
-    /** A point as an expression that MotionScript reads. */
-    template <int dim>
-    std::string
-    expression(const Vector<dim> &point)
-    {
-      std::ostringstream text;
-      text << std::setprecision(17);
-      for (int d = 0; d < dim; ++d)
-        text << (d == 0 ? "" : "; ") << point[d];
-      return text.str();
-    }
-  } // namespace
-
   template <int dim>
   double
   mass_of(const Shape<dim> &shape, const double mass, const double density)
@@ -74,17 +57,7 @@ namespace magmpm
         body.set_motion({parameters.velocity, parameters.angular_velocity});
       }
     else
-      {
-        SourceParameters<dim> script;
-        script.name          = parameters.name;
-        script.position      = parameters.position;
-        script.rotation      = parameters.orientation;
-        script.key_frames    = parameters.key_frames;
-        script.interpolation = parameters.interpolation;
-        if (script.position.empty() && script.key_frames.empty())
-          script.position = expression(body.pose().position);
-        origin.script.emplace(script);
-      }
+      origin.script = parameters.pose;
     bodies.push_back(std::move(body));
     origins.push_back(std::move(origin));
   }
@@ -97,7 +70,7 @@ namespace magmpm
       {
         RigidBody<dim> &body = bodies[b];
         if (origins[b].script)
-          body.move_to(origins[b].script->pose(time), origins[b].script->motion(time));
+          body.move_to((*origins[b].script)(time), motion_at(*origins[b].script, time));
         else if (origins[b].source)
           {
             MagneticSource<dim> &source = *sources.sources()[*origins[b].source];

@@ -1,6 +1,8 @@
 #include <magmpm/base/constants.h>
 #include <magmpm/base/exceptions.h>
 #include <magmpm/magnets/placed_source.h>
+#include <magmpm/motion/expression.h>
+#include <magmpm/motion/pose_function.h>
 
 #include <cmath>
 
@@ -33,6 +35,50 @@ namespace magmpm
     {
       return type == SourceType::current_loop || type == SourceType::straight_wire;
     }
+
+    /** Magnetization [A/m], moment [A m^2], or current [A] (first component), in time. */
+    template <int dim>
+    TimeFunction<Vector<dim>>
+    amplitude_of(const SourceParameters<dim> &parameters)
+    {
+      const std::string of = " of source '" + parameters.name + "'";
+      if (has_current(parameters.type))
+        return read_scalar_expression(parameters.current, "Current" + of)
+          .transformed([](const double current) {
+            Vector<dim> result;
+            result[0] = current;
+            return result;
+          });
+      if (parameters.type == SourceType::point_dipole)
+        return read_expression<dim>(parameters.moment, "Moment" + of);
+      if (parameters.remanence.empty())
+        return read_expression<dim>(parameters.magnetization, "Magnetization" + of);
+      return read_expression<dim>(parameters.remanence, "Remanence" + of)
+        .transformed([](const Vector<dim> &remanence) {
+          return (1. / constants::vacuum_permeability) * remanence;
+        });
+    }
+
+    /** Pose and strength, however they are given. */
+    template <int dim>
+    KeyFrames<dim>
+    motion_of(const SourceParameters<dim> &parameters)
+    {
+      const std::string of = " of source '" + parameters.name + "'";
+      if (!parameters.key_frames.empty())
+        return read_key_frames<dim>(
+          parameters.key_frames, parameters.interpolation, "Key frames" + of);
+      KeyFrames<dim> result;
+      TimeFunction<Vector<n_axial_components<dim>>> rotation;
+      if (!parameters.rotation.empty())
+        rotation = read_expression<n_axial_components<dim>>(parameters.rotation, "Rotation" + of);
+      result.pose     = pose_function(read_expression<dim>(parameters.position, "Position" + of),
+                                  rotation);
+      result.strength = parameters.strength.empty()
+                          ? TimeFunction<double>(1.)
+                          : read_scalar_expression(parameters.strength, "Strength" + of);
+      return result;
+    }
   } // namespace
 
   template <int dim>
@@ -43,63 +89,28 @@ namespace magmpm
     , type(parameters.type)
     , own_field(std::move(field))
     , own_shape(std::move(shape))
-    , source_motion(parameters)
-    , script(amplitude_script(parameters))
+    , amplitude_in_time(amplitude_of(parameters))
     , alignment(rotation_to_axis(parameters.axis))
     , contact_condition(parameters.contact)
     , friction_coefficient(parameters.friction)
   {
+    const KeyFrames<dim> motion = motion_of(parameters);
+    pose_in_time                = motion.pose;
+    strength_in_time            = motion.strength;
     set_time(0.);
-  }
-
-  template <int dim>
-  typename PlacedSource<dim>::AmplitudeScript
-  PlacedSource<dim>::amplitude_script(const SourceParameters<dim> &parameters)
-  {
-    const std::string of = " of source '" + parameters.name + "'";
-    AmplitudeScript script;
-    if (has_current(parameters.type))
-      script.current.emplace(parameters.current, "Current" + of);
-    else if (parameters.type == SourceType::point_dipole)
-      script.vector.emplace(parameters.moment, "Moment" + of);
-    else if (parameters.remanence.empty())
-      script.vector.emplace(parameters.magnetization, "Magnetization" + of);
-    else
-      {
-        script.vector.emplace(parameters.remanence, "Remanence" + of);
-        script.unit_factor = 1. / constants::vacuum_permeability;
-      }
-    return script;
-  }
-
-  template <int dim>
-  bool
-  PlacedSource<dim>::AmplitudeScript::is_constant() const
-  {
-    return vector ? vector->is_constant() : current->is_constant();
-  }
-
-  template <int dim>
-  Vector<dim>
-  PlacedSource<dim>::AmplitudeScript::value(const double time) const
-  {
-    if (vector)
-      return unit_factor * vector->value(time);
-    Vector<dim> result;
-    result[0] = current->value(time)[0];
-    return result;
   }
 
   template <int dim>
   void
   PlacedSource<dim>::set_time(const double time)
   {
-    current_amplitude = source_motion.strength(time) * script.value(time);
-    field_amplitude = script.vector ? transpose(alignment) * current_amplitude : current_amplitude;
+    current_amplitude = strength_in_time(time) * amplitude_in_time(time);
+    field_amplitude   = has_current(type) ? current_amplitude
+                                          : transpose(alignment) * current_amplitude;
     if (!is_moved_from_outside)
       {
-        current_pose   = source_motion.pose(time);
-        current_motion = source_motion.motion(time);
+        current_pose   = pose_in_time(time);
+        current_motion = motion_at(pose_in_time, time);
         field_rotation = current_pose.rotation * alignment;
       }
   }
@@ -147,8 +158,8 @@ namespace magmpm
   PlacedSource<dim>::is_constant() const
   {
     // What has no strength (a mere obstacle) may go where it wants.
-    return script.is_constant() && source_motion.strength_is_constant() &&
-           ((source_motion.pose_is_constant() && !is_moved_from_outside) ||
+    return amplitude_in_time.is_constant() && strength_in_time.is_constant() &&
+           ((pose_in_time.is_constant() && !is_moved_from_outside) ||
             norm(current_amplitude) == 0.);
   }
 

@@ -1,12 +1,14 @@
 #include <magmpm/base/exceptions.h>
 #include <magmpm/magnets/uniform_field.h>
+#include <magmpm/motion/expression.h>
 
 namespace magmpm
 {
   template <int dim>
   UniformField<dim>::UniformField(const SourceParameters<dim> &parameters)
     : MagneticSource<dim>(parameters.name)
-    , field_script(parameters.field, "Field of source '" + parameters.name + "'")
+    , field_in_time(
+        read_expression<dim>(parameters.field, "Field of source '" + parameters.name + "'"))
   {
     if (parameters.contact != ContactCondition::none)
       throw InputError("Source '" + parameters.name +
@@ -19,7 +21,7 @@ namespace magmpm
   void
   UniformField<dim>::set_time(const double time)
   {
-    current_field = field_script.value(time);
+    current_field = field_in_time(time);
   }
 
   template <int dim>
@@ -40,7 +42,7 @@ namespace magmpm
   bool
   UniformField<dim>::is_constant() const
   {
-    return field_script.is_constant();
+    return field_in_time.is_constant();
   }
 
   template <int dim>

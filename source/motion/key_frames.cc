@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <memory>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 namespace magmpm
 {
@@ -87,105 +90,142 @@ namespace magmpm
                  (numbers.size() == 1 ? ". " : "s. ") + advice<dim>());
       return numbers;
     }
+
+    template <int dim>
+    struct KeyFrame
+    {
+      double time;
+      Pose<dim> pose;
+      double strength;
+    };
+
+    template <int dim>
+    std::vector<KeyFrame<dim>>
+    rows_of(const std::string &table, const std::string &subject)
+    {
+      std::vector<KeyFrame<dim>> rows;
+      std::size_t n_numbers = 0;
+      for (const std::string &line : lines_of(table, subject))
+        {
+          const std::vector<double> numbers = numbers_in<dim>(line, subject);
+          if (!rows.empty() && numbers.size() != n_numbers)
+            refuse(subject,
+                   "the row '" + line + "' has " + std::to_string(numbers.size()) +
+                     " numbers, the one before it " + std::to_string(n_numbers) +
+                     ". All rows must have equally many.");
+          n_numbers = numbers.size();
+
+          KeyFrame<dim> row{numbers[0], {}, 1.};
+          auto next = numbers.begin() + 1;
+          std::copy_n(next, dim, row.pose.position.values);
+          next += dim;
+          if (next != numbers.end())
+            {
+              Vector<n_axial_components<dim>> angle;
+              std::copy_n(next, n_axial_components<dim>, angle.values);
+              next += n_axial_components<dim>;
+              row.pose.rotation = rotation_by<dim>(angle);
+            }
+          if (next != numbers.end())
+            row.strength = *next;
+          if (!rows.empty() && !(row.time > rows.back().time))
+            refuse(subject,
+                   "the time of the row '" + line +
+                     "' is not later than that of the row before it. Times must increase.");
+          rows.push_back(row);
+        }
+      if (rows.empty())
+        refuse(subject, "there is no row in '" + table + "'. " + advice<dim>());
+      return rows;
+    }
+
+    /** The rows, and what is between them. */
+    template <int dim>
+    class Interpolation
+    {
+    public:
+      Interpolation(std::vector<KeyFrame<dim>> rows, const KeyFrameInterpolation kind)
+        : rows(std::move(rows))
+        , kind(kind)
+      {
+      }
+
+      Pose<dim>
+      pose(const double time) const
+      {
+        const auto [before, done] = place(time);
+        const Pose<dim> &start    = rows[before].pose;
+        if (done == 0.)
+          return start;
+        const Pose<dim> &end = rows[before + 1].pose;
+        const auto whole     = rotation_vector<dim>(end.rotation * transpose(start.rotation));
+        return {start.position + done * (end.position - start.position),
+                rotation_by<dim>(done * whole) * start.rotation};
+      }
+
+      double
+      strength(const double time) const
+      {
+        const auto [before, done] = place(time);
+        const double start        = rows[before].strength;
+        return done == 0. ? start : start + done * (rows[before + 1].strength - start);
+      }
+
+    private:
+      /** The row before @p time and how much of the way to the next one is done, 0 to 1. */
+      std::pair<std::size_t, double>
+      place(const double time) const
+      {
+        const auto next =
+          std::upper_bound(rows.begin(), rows.end(), time, [](const double t, const auto &row) {
+            return t < row.time;
+          });
+        if (next == rows.begin())
+          return {0, 0.};
+        const std::size_t before = next - rows.begin() - 1;
+        if (next == rows.end())
+          return {before, 0.};
+        const double s = (time - rows[before].time) / (next->time - rows[before].time);
+        return {before, kind == KeyFrameInterpolation::smooth ? s * s * (3. - 2. * s) : s};
+      }
+
+      const std::vector<KeyFrame<dim>> rows;
+      const KeyFrameInterpolation kind;
+    };
   } // namespace
 
   template <int dim>
-  KeyFrames<dim>::KeyFrames(const std::string &table,
-                            const KeyFrameInterpolation interpolation,
-                            const std::string &subject)
-    : interpolation(interpolation)
+  KeyFrames<dim>
+  read_key_frames(const std::string &table,
+                  const KeyFrameInterpolation interpolation,
+                  const std::string &subject)
   {
-    std::size_t n_numbers = 0;
-    for (const std::string &line : lines_of(table, subject))
-      {
-        const std::vector<double> numbers = numbers_in<dim>(line, subject);
-        if (!rows.empty() && numbers.size() != n_numbers)
-          refuse(subject,
-                 "the row '" + line + "' has " + std::to_string(numbers.size()) +
-                   " numbers, the one before it " + std::to_string(n_numbers) +
-                   ". All rows must have equally many.");
-        n_numbers = numbers.size();
-
-        Row row{numbers[0], {}, 1.};
-        auto next = numbers.begin() + 1;
-        std::copy_n(next, dim, row.pose.position.values);
-        next += dim;
-        if (next != numbers.end())
-          {
-            Vector<n_axial_components<dim>> angle;
-            std::copy_n(next, n_axial_components<dim>, angle.values);
-            next += n_axial_components<dim>;
-            row.pose.rotation = rotation_by<dim>(angle);
-          }
-        if (next != numbers.end())
-          row.strength = *next;
-        if (!rows.empty() && !(row.time > rows.back().time))
-          refuse(subject,
-                 "the time of the row '" + line +
-                   "' is not later than that of the row before it. Times must increase.");
-        rows.push_back(row);
-      }
-    if (rows.empty())
-      refuse(subject, "there is no row in '" + table + "'. " + advice<dim>());
-  }
-
-  template <int dim>
-  std::pair<std::size_t, double>
-  KeyFrames<dim>::place(const double time) const
-  {
-    const auto next = std::upper_bound(
-      rows.begin(), rows.end(), time, [](double t, const Row &row) { return t < row.time; });
-    if (next == rows.begin())
-      return {0, 0.};
-    const std::size_t before = next - rows.begin() - 1;
-    if (next == rows.end())
-      return {before, 0.};
-    const double s = (time - rows[before].time) / (next->time - rows[before].time);
-    return {before, interpolation == KeyFrameInterpolation::smooth ? s * s * (3. - 2. * s) : s};
-  }
-
-  template <int dim>
-  Pose<dim>
-  KeyFrames<dim>::pose(const double time) const
-  {
-    const auto [before, done] = place(time);
-    const Pose<dim> &start    = rows[before].pose;
-    if (done == 0.)
-      return start;
-    const Pose<dim> &end = rows[before + 1].pose;
-    const auto whole     = rotation_vector<dim>(end.rotation * transpose(start.rotation));
-    return {start.position + done * (end.position - start.position),
-            rotation_by<dim>(done * whole) * start.rotation};
-  }
-
-  template <int dim>
-  double
-  KeyFrames<dim>::strength(const double time) const
-  {
-    const auto [before, done] = place(time);
-    const double start        = rows[before].strength;
-    return done == 0. ? start : start + done * (rows[before + 1].strength - start);
-  }
-
-  template <int dim>
-  bool
-  KeyFrames<dim>::pose_is_constant() const
-  {
-    return std::all_of(rows.begin(), rows.end(), [&](const Row &row) {
+    const std::vector<KeyFrame<dim>> rows = rows_of<dim>(table, subject);
+    const auto is_everywhere              = [&](const auto &is_first) {
+      return std::all_of(rows.begin(), rows.end(), is_first);
+    };
+    const bool same_pose = is_everywhere([&](const KeyFrame<dim> &row) {
       return norm(row.pose.position - rows[0].pose.position) == 0. &&
              frobenius_norm(row.pose.rotation + (-1.) * rows[0].pose.rotation) == 0.;
     });
+    const bool same_strength =
+      is_everywhere([&](const KeyFrame<dim> &row) { return row.strength == rows[0].strength; });
+
+    const auto between = std::make_shared<const Interpolation<dim>>(rows, interpolation);
+    KeyFrames<dim> result;
+    result.pose = rows[0].pose;
+    if (!same_pose)
+      result.pose =
+        TimeFunction<Pose<dim>>([between](const double time) { return between->pose(time); });
+    result.strength = rows[0].strength;
+    if (!same_strength)
+      result.strength =
+        TimeFunction<double>([between](const double time) { return between->strength(time); });
+    return result;
   }
 
-  template <int dim>
-  bool
-  KeyFrames<dim>::strength_is_constant() const
-  {
-    return std::all_of(rows.begin(), rows.end(), [&](const Row &row) {
-      return row.strength == rows[0].strength;
-    });
-  }
-
-  template class KeyFrames<2>;
-  template class KeyFrames<3>;
+  template KeyFrames<2>
+  read_key_frames(const std::string &, KeyFrameInterpolation, const std::string &);
+  template KeyFrames<3>
+  read_key_frames(const std::string &, KeyFrameInterpolation, const std::string &);
 } // namespace magmpm

@@ -227,6 +227,7 @@ namespace magmpm
     parameters.sources.resize(input.magnet_names.size());
     parameters.rigid_bodies.resize(input.rigid_body_names.size());
     input.materials.resize(input.material_names.size());
+    input.rigid_body_motions.resize(input.rigid_body_names.size());
 
     declare_scene(declarations, input, parameters);
     {
@@ -273,7 +274,7 @@ namespace magmpm
       for (std::size_t i = 0; i < parameters.rigid_bodies.size(); ++i)
         {
           parameters.rigid_bodies[i].name = input.rigid_body_names[i];
-          declare_rigid_body(declarations, parameters.rigid_bodies[i]);
+          declare_rigid_body(declarations, parameters.rigid_bodies[i], input.rigid_body_motions[i]);
         }
     }
     declare_walls(declarations, parameters.walls);

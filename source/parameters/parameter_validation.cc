@@ -146,7 +146,7 @@ namespace magmpm
     convert_materials(declarations, input, parameters);
     const auto body_shapes = check_bodies(declarations, input, parameters);
     check_sources(declarations, parameters, body_shapes);
-    check_rigid_bodies(declarations, body_shapes, parameters);
+    check_rigid_bodies(declarations, input, body_shapes, parameters);
     check_times(declarations, parameters);
     convert_checkpoint(declarations, input, parameters.checkpoint);
 

@@ -50,7 +50,9 @@ namespace magmpm
 
   template <int dim>
   void
-  declare_rigid_body(ParameterRegister &declarations, RigidBodyParameters<dim> &body)
+  declare_rigid_body(ParameterRegister &declarations,
+                     RigidBodyParameters<dim> &body,
+                     MotionInput &motion)
   {
     const auto section = declarations.enter(body.name);
     declare_shape(declarations, body.shape);
@@ -61,27 +63,27 @@ namespace magmpm
     declare_free_motion<dim>(declarations, body, "Of a free body: ");
     const std::string components = " Expressions of t [s], separated by semicolons.";
     declarations.add("Position",
-                     body.position,
+                     motion.position,
                      "m",
                      "Of a scripted body: where its centroid is, x(t)." + components +
                        " Not given: where its shape is.",
                      Presence::optional);
     declarations.add("Orientation",
-                     body.orientation,
+                     motion.rotation,
                      "rad",
                      "Of a scripted body: axis times angle by which it is turned about its "
                      "centroid, from how its shape is given." +
                        components + " Not given: 0.",
                      Presence::optional);
     declarations.add("Key frames",
-                     body.key_frames,
+                     motion.key_frames,
                      "s, m, rad",
                      "Of a scripted body: instead of Position and Orientation, rows of time, "
                      "position and axis times angle; a CSV file, or the rows, separated by "
                      "semicolons.",
                      Presence::optional);
     declarations.add("Interpolation",
-                     body.interpolation,
+                     motion.interpolation,
                      {{"linear", KeyFrameInterpolation::linear},
                       {"smooth", KeyFrameInterpolation::smooth}},
                      "Of key frames: from one to the next at a constant velocity, or from rest to "
@@ -105,7 +107,7 @@ namespace magmpm
   template void
   declare_free_magnet(ParameterRegister &, SourceParameters<3> &);
   template void
-  declare_rigid_body(ParameterRegister &, RigidBodyParameters<2> &);
+  declare_rigid_body(ParameterRegister &, RigidBodyParameters<2> &, MotionInput &);
   template void
-  declare_rigid_body(ParameterRegister &, RigidBodyParameters<3> &);
+  declare_rigid_body(ParameterRegister &, RigidBodyParameters<3> &, MotionInput &);
 } // namespace magmpm

@@ -1,9 +1,10 @@
 #include <magmpm/boundary/rigid_bodies.h>
 #include <magmpm/geometry/shape_overlap.h>
+#include <magmpm/magnets/make_source.h>
+#include <magmpm/motion/expression.h>
+#include <magmpm/motion/pose_function.h>
 #include <magmpm/parameters/given_parameters.h>
 #include <magmpm/parameters/section_validation.h>
-#include <magmpm/magnets/make_source.h>
-#include <magmpm/motion/motion_script.h>
 
 #include <algorithm>
 
@@ -27,24 +28,33 @@ namespace magmpm
                          (given.empty() ? "none" : "both") + (given.empty() ? " is." : " are."));
     }
 
+    /** How a scripted body moves. @param centroid  where it stays if nothing else is said [m]. */
     template <int dim>
-    void
-    check_script(const ParameterRegister &declarations,
-                 const std::string &section,
-                 const RigidBodyParameters<dim> &body)
+    TimeFunction<Pose<dim>>
+    read_script(const ParameterRegister &declarations,
+                const std::string &section,
+                const MotionInput &input,
+                const Vector<dim> &centroid)
     {
+      const auto where = [&](const std::string &name) {
+        return declarations.where(section + "/" + name);
+      };
       check_given(declarations, section, {}, of_free, "Motion = scripted");
-      if (!body.key_frames.empty())
-        check_given(
-          declarations, section, {"Key frames"}, {"Position", "Orientation"}, "Key frames given");
-      else
+      if (!input.key_frames.empty())
         {
-          if (!body.position.empty())
-            MotionScript<dim>(body.position, declarations.where(section + "/Position"));
-          if (!body.orientation.empty())
-            MotionScript<n_axial_components<dim>>(body.orientation,
-                                                  declarations.where(section + "/Orientation"));
+          check_given(
+            declarations, section, {"Key frames"}, {"Position", "Orientation"}, "Key frames given");
+          return read_key_frames<dim>(input.key_frames, input.interpolation, where("Key frames"))
+            .pose;
         }
+      TimeFunction<Vector<dim>> position = centroid;
+      TimeFunction<Vector<n_axial_components<dim>>> orientation;
+      if (!input.position.empty())
+        position = read_expression<dim>(input.position, where("Position"));
+      if (!input.rotation.empty())
+        orientation = read_expression<n_axial_components<dim>>(input.rotation,
+                                                               where("Orientation"));
+      return pose_function(position, orientation);
     }
 
     /** A body thinner than this can slip between lattice nodes, and material through it. */
@@ -71,13 +81,16 @@ namespace magmpm
   template <int dim>
   void
   check_rigid_bodies(const ParameterRegister &declarations,
+                     const ParameterInput<dim> &input,
                      const std::vector<std::unique_ptr<Shape<dim>>> &body_shapes,
                      Parameters<dim> &parameters)
   {
     std::vector<std::unique_ptr<Shape<dim>>> shapes;
-    for (RigidBodyParameters<dim> &body : parameters.rigid_bodies)
+    for (std::size_t i = 0; i < parameters.rigid_bodies.size(); ++i)
       {
-        const std::string section = "Rigid bodies/" + body.name;
+        RigidBodyParameters<dim> &body = parameters.rigid_bodies[i];
+        const MotionInput &motion      = input.rigid_body_motions[i];
+        const std::string section      = "Rigid bodies/" + body.name;
         for (const SourceParameters<dim> &source : parameters.sources)
           if (source.name == body.name)
             throw declarations.error(
@@ -98,9 +111,10 @@ namespace magmpm
                              parameters.lattice);
           }
         else
-          check_script(declarations, section, body);
+          body.pose =
+            read_script(declarations, section, motion, shapes.back()->volume_moments().centroid);
         // A scripted body may be elsewhere at the start.
-        const bool stays = body.position.empty() && body.key_frames.empty();
+        const bool stays = motion.position.empty() && motion.key_frames.empty();
         for (std::size_t b = 0; b < body_shapes.size() && stays; ++b)
           if (body_shapes[b] != nullptr &&
               overlap(*shapes.back(), *body_shapes[b], 0.5 * parameters.lattice.spacing))
@@ -140,12 +154,12 @@ namespace magmpm
           "a free magnet begins there, and forces move it: it must not depend "
           "on t. Or set Free = false.");
     };
-    check_constant(
-      "Position",
-      MotionScript<dim>(source.position, declarations.where(section + "/Position")).is_constant());
+    check_constant("Position",
+                   read_expression<dim>(source.position, declarations.where(section + "/Position"))
+                     .is_constant());
     if (!source.rotation.empty())
       check_constant("Rotation",
-                     MotionScript<n_axial_components<dim>>(
+                     read_expression<n_axial_components<dim>>(
                        source.rotation, declarations.where(section + "/Rotation"))
                        .is_constant());
     if (make_source(source)->shape() == nullptr)
@@ -156,6 +170,7 @@ namespace magmpm
 
 #define INSTANTIATE(dim)                                                             \
   template void check_rigid_bodies(const ParameterRegister &,                        \
+                                   const ParameterInput<dim> &,                      \
                                    const std::vector<std::unique_ptr<Shape<dim>>> &, \
                                    Parameters<dim> &);                               \
   template void check_free_magnet(                                                   \

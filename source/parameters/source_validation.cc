@@ -1,12 +1,11 @@
 #include <magmpm/geometry/placed_shape.h>
 #include <magmpm/geometry/shape_overlap.h>
+#include <magmpm/magnets/make_source.h>
+#include <magmpm/motion/expression.h>
 #include <magmpm/parameters/given_parameters.h>
 #include <magmpm/parameters/input_file.h>
 #include <magmpm/base/number_text.h>
 #include <magmpm/parameters/section_validation.h>
-#include <magmpm/magnets/make_source.h>
-#include <magmpm/motion/motion_script.h>
-#include <magmpm/motion/source_motion.h>
 
 #include <algorithm>
 
@@ -173,16 +172,16 @@ namespace magmpm
         {"Position", source.position}};
       for (const auto &[name, expression] : vectors)
         if (declarations.given(section + "/" + name))
-          MotionScript<dim>(expression, where(name));
+          read_expression<dim>(expression, where(name));
       for (const auto &[name, expression] :
            {std::pair<const char *, const std::string &>("Current", source.current),
             std::pair<const char *, const std::string &>("Strength", source.strength)})
         if (declarations.given(section + "/" + name))
-          MotionScript<1>(expression, where(name));
+          read_expression<1>(expression, where(name));
       if (declarations.given(section + "/Rotation"))
-        MotionScript<n_axial_components<dim>>(source.rotation, where("Rotation"));
+        read_expression<n_axial_components<dim>>(source.rotation, where("Rotation"));
       if (declarations.given(section + "/Key frames"))
-        KeyFrames<dim>(source.key_frames, source.interpolation, where("Key frames"));
+        read_key_frames<dim>(source.key_frames, source.interpolation, where("Key frames"));
     }
 
     /** A solid magnet excludes material, and so does the core of a dipole: none may be seeded inside. */

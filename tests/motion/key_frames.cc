@@ -21,7 +21,7 @@ namespace
   frames(const std::string &table,
          const KeyFrameInterpolation interpolation = KeyFrameInterpolation::linear)
   {
-    return KeyFrames<dim>(table, interpolation, "Key frames of source 'ball'");
+    return read_key_frames<dim>(table, interpolation, "Key frames of source 'ball'");
   }
 } // namespace
 
@@ -39,8 +39,8 @@ TEST_CASE("between key frames the way is straight and the rotation about one axi
   CHECK(motion.strength(2.5) == 1.5);
   CHECK(motion.pose(9.).position[1] == 2.);
   CHECK(motion.strength(9.) == 0.);
-  CHECK(!motion.pose_is_constant());
-  CHECK(!motion.strength_is_constant());
+  CHECK(!motion.pose.is_constant());
+  CHECK(!motion.strength.is_constant());
 }
 
 TEST_CASE("slerp takes the shorter way about the axis of the relative rotation", "[motion]")
@@ -84,12 +84,12 @@ TEST_CASE("key frames that do not move are constant", "[motion]")
 {
   // Rotation and strength may be left out; poses are compared, not the number of rows.
   const KeyFrames<2> still = frames<2>("0, 0.5, 0.5; 1, 0.5, 0.5");
-  CHECK(still.pose_is_constant());
-  CHECK(still.strength_is_constant());
+  CHECK(still.pose.is_constant());
+  CHECK(still.strength.is_constant());
   const KeyFrames<2> faded = frames<2>("0, 0.5, 0.5, 0, 1; 1, 0.5, 0.5, 0, 0");
-  CHECK(faded.pose_is_constant());
-  CHECK(!faded.strength_is_constant());
-  CHECK(!frames<2>("0, 0, 0, 0; 1, 0, 0, 0.1").pose_is_constant());
+  CHECK(faded.pose.is_constant());
+  CHECK(!faded.strength.is_constant());
+  CHECK(!frames<2>("0, 0, 0, 0; 1, 0, 0, 0.1").pose.is_constant());
 }
 
 TEST_CASE("key frames come from a file, with headings and comments", "[motion]")

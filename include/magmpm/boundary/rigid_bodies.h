@@ -3,7 +3,7 @@
 #include <magmpm/boundary/rigid_body.h>
 #include <magmpm/boundary/rigid_body_parameters.h>
 #include <magmpm/magnets/external_field.h>
-#include <magmpm/motion/source_motion.h>
+#include <magmpm/motion/pose_function.h>
 
 #include <optional>
 #include <string>
@@ -76,7 +76,7 @@ namespace magmpm
     struct Origin
     {
       std::optional<std::size_t> source;
-      std::optional<SourceMotion<dim>> script;
+      std::optional<TimeFunction<Pose<dim>>> script;
     };
 
     void

@@ -2,7 +2,8 @@
 
 #include <magmpm/boundary/surface_contact.h>
 #include <magmpm/geometry/shape.h>
-#include <magmpm/magnets/source_parameters.h>
+#include <magmpm/motion/pose.h>
+#include <magmpm/motion/time_function.h>
 
 #include <string>
 
@@ -22,10 +23,7 @@ namespace magmpm
     Vector<dim> velocity; ///< of a free body at the start [m/s]
     Vector<n_axial_components<dim>> angular_velocity; ///< of a free body at the start [rad/s]
 
-    // Of one that is not free, as of a source (SourceParameters).
-    std::string position;    ///< of its centroid x(t) [m]; not given: it stays where it is
-    std::string orientation; ///< axis times angle (t) [rad], from how the shape is given
-    std::string key_frames;
-    KeyFrameInterpolation interpolation = KeyFrameInterpolation::linear;
+    /** Of one that is not free: its centroid, and how it is turned from how the shape is given. */
+    TimeFunction<Pose<dim>> pose;
   };
 } // namespace magmpm

@@ -1,8 +1,7 @@
 #pragma once
 
 #include <magmpm/magnets/magnetic_source.h>
-#include <magmpm/motion/motion_script.h>
-#include <magmpm/motion/source_motion.h>
+#include <magmpm/motion/time_function.h>
 
 #include <memory>
 
@@ -79,28 +78,12 @@ namespace magmpm
     }
 
   private:
-    /** The expressions of what makes the field, their unit taken away by unit_factor. */
-    struct AmplitudeScript
-    {
-      std::optional<MotionScript<dim>> vector;
-      std::optional<MotionScript<1>> current;
-      double unit_factor = 1.;
-
-      bool
-      is_constant() const;
-
-      Vector<dim>
-      value(const double time) const;
-    };
-
-    static AmplitudeScript
-    amplitude_script(const SourceParameters<dim> &parameters);
-
     const SourceType type;
     std::unique_ptr<SourceField<dim>> own_field;
     std::unique_ptr<Shape<dim>> own_shape;
-    SourceMotion<dim> source_motion;
-    AmplitudeScript script;
+    TimeFunction<Pose<dim>> pose_in_time;
+    TimeFunction<double> strength_in_time;
+    TimeFunction<Vector<dim>> amplitude_in_time;
     Matrix<dim> alignment; ///< turns the frame of own_field, whose axis is z, into the source's
     const ContactCondition contact_condition;
     const double friction_coefficient;

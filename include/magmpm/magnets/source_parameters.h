@@ -1,6 +1,7 @@
 #pragma once
 
 #include <magmpm/base/tensor.h>
+#include <magmpm/motion/key_frames.h>
 
 #include <string>
 
@@ -27,16 +28,9 @@ namespace magmpm
     separate
   };
 
-  /** How a source goes from one key frame to the next. */
-  enum class KeyFrameInterpolation
-  {
-    linear, ///< at a constant velocity
-    smooth  ///< from rest to rest
-  };
-
   /**
    * One named source of the external field. What changes in time is given as expressions of t [s] (one
-   * per component, constants included), evaluated by MotionScript, or, but for the field and what
+   * per component, constants included), read by read_expression(), or, but for the field and what
    * magnetizes, as key frames. What is empty is not given.
    *
    * Magnetization, remanence and moment are those in the source's own frame, of which exactly one is

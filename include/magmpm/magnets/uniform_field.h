@@ -1,7 +1,7 @@
 #pragma once
 
 #include <magmpm/magnets/magnetic_source.h>
-#include <magmpm/motion/motion_script.h>
+#include <magmpm/motion/time_function.h>
 
 namespace magmpm
 {
@@ -47,7 +47,7 @@ namespace magmpm
     set_pose(const Pose<dim> &pose, const RigidMotion<dim> &motion) override;
 
   private:
-    MotionScript<dim> field_script;
+    TimeFunction<Vector<dim>> field_in_time;
     Vector<dim> current_field; ///< H [A/m]
     const Pose<dim> origin;
     const RigidMotion<dim> rest;

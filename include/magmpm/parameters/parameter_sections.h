@@ -45,7 +45,9 @@ namespace magmpm
   /** One of the rigid bodies: its shape, mass, motion and surface. */
   template <int dim>
   void
-  declare_rigid_body(ParameterRegister &declarations, RigidBodyParameters<dim> &body);
+  declare_rigid_body(ParameterRegister &declarations,
+                     RigidBodyParameters<dim> &body,
+                     MotionInput &motion);
 
   /** The section Attraction. */
   template <int dim>

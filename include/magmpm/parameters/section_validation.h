@@ -73,10 +73,11 @@ namespace magmpm
                     const std::string &section,
                     const SourceParameters<dim> &source);
 
-  /** Adds to the warnings. */
+  /** Reads how scripted bodies move. Adds to the warnings. */
   template <int dim>
   void
   check_rigid_bodies(const ParameterRegister &declarations,
+                     const ParameterInput<dim> &input,
                      const std::vector<std::unique_ptr<Shape<dim>>> &body_shapes,
                      Parameters<dim> &parameters);
 } // namespace magmpm

@@ -3,13 +3,13 @@
 
 #include <magmpm/base/constants.h>
 #include <magmpm/base/exceptions.h>
-#include <magmpm/motion/motion_script.h>
+#include <magmpm/motion/expression.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <iostream>
-#include <map>
+#include <memory>
 #include <sstream>
 #include <vector>
 
@@ -109,82 +109,104 @@ namespace magmpm
       std::ostringstream unheard;
       std::streambuf *terminal;
     };
-  } // namespace
 
-  /** Keeps the parser and its headers out of motion_script.h. */
-  template <int dim>
-  struct MotionScript<dim>::Implementation
-  {
-    dealii::FunctionParser<1> parser{dim};
-  };
-
-  template <int dim>
-  MotionScript<dim>::MotionScript(const std::string &expression, const std::string &subject)
-    : expression(expression)
-    , subject(subject)
-    , implementation(std::make_unique<Implementation>())
-  {
-    const std::vector<std::string> components = split_components(expression);
-    if (components.size() != dim)
-      refuse(subject,
-             expression,
-             "has " + std::to_string(components.size()) + " component" +
-               (components.size() == 1 ? "" : "s") + ", not " + std::to_string(dim) + ". Give " +
-               advice<dim>() + ".");
-
-    const std::vector<std::string> names = identifiers(expression);
-    constant                             = !contains(names, "t");
-    // Every rank would draw its own.
-    if (contains(names, "rand") || contains(names, "rand_seed"))
-      refuse(subject, expression, "draws random numbers. Give " + advice<dim>() + " alone.");
-
-    try
+    /** The parser of the components, and what its messages name. */
+    template <int n>
+    class Expression
+    {
+    public:
+      Expression(const std::string &text, const std::string &subject)
+        : text(text)
+        , subject(subject)
       {
-        const QuietErrorStream quiet;
-        implementation->parser.initialize("t", components, {{"pi", constants::pi}});
-        // The parser reads an expression only when it is asked for its value.
-        value(0.);
-      }
-    catch (const dealii::ExceptionBase &error)
-      {
-        refuse(subject,
-               expression,
-               "cannot be read: " + reason(error) + " Give " + advice<dim>() + "; pi is known.");
-      }
-  }
+        const std::vector<std::string> components = split_components(text);
+        if (components.size() != n)
+          refuse(subject,
+                 text,
+                 "has " + std::to_string(components.size()) + " component" +
+                   (components.size() == 1 ? "" : "s") + ", not " + std::to_string(n) + ". Give " +
+                   advice<n>() + ".");
 
-  template <int dim>
-  MotionScript<dim>::~MotionScript() = default;
+        const std::vector<std::string> names = identifiers(text);
+        changes                              = contains(names, "t");
+        // Every rank would draw its own.
+        if (contains(names, "rand") || contains(names, "rand_seed"))
+          refuse(subject, text, "draws random numbers. Give " + advice<n>() + " alone.");
 
-  template <int dim>
-  MotionScript<dim>::MotionScript(MotionScript &&) noexcept = default;
-
-  template <int dim>
-  MotionScript<dim> &
-  MotionScript<dim>::operator=(MotionScript &&) noexcept = default;
-
-  template <int dim>
-  Vector<dim>
-  MotionScript<dim>::value(const double time) const
-  {
-    Vector<dim> result;
-    for (int i = 0; i < dim; ++i)
-      {
-        result[i] = implementation->parser.value(dealii::Point<1>(time), i);
-        if (!std::isfinite(result[i]))
+        try
           {
-            std::ostringstream when;
-            when << time;
+            const QuietErrorStream quiet;
+            parser.initialize("t", components, {{"pi", constants::pi}});
+            // The parser reads an expression only when it is asked for its value.
+            value(0.);
+          }
+        catch (const dealii::ExceptionBase &error)
+          {
             refuse(subject,
-                   expression,
-                   "is not a finite number at t = " + when.str() + " s (component " +
-                     std::to_string(i + 1) + "). It must be one from t = 0 to the end of the run.");
+                   text,
+                   "cannot be read: " + reason(error) + " Give " + advice<n>() + "; pi is known.");
           }
       }
-    return result;
+
+      Vector<n>
+      value(const double time) const
+      {
+        Vector<n> result;
+        for (int i = 0; i < n; ++i)
+          {
+            result[i] = parser.value(dealii::Point<1>(time), i);
+            if (!std::isfinite(result[i]))
+              {
+                std::ostringstream when;
+                when << time;
+                refuse(subject,
+                       text,
+                       "is not a finite number at t = " + when.str() + " s (component " +
+                         std::to_string(i + 1) +
+                         "). It must be one from t = 0 to the end of the run.");
+              }
+          }
+        return result;
+      }
+
+      /** Whether t occurs. */
+      bool
+      changes_in_time() const
+      {
+        return changes;
+      }
+
+    private:
+      const std::string text;
+      const std::string subject;
+      bool changes;
+      dealii::FunctionParser<1> parser{n};
+    };
+  } // namespace
+
+  template <int n>
+  TimeFunction<Vector<n>>
+  read_expression(const std::string &text, const std::string &subject)
+  {
+    const auto expression = std::make_shared<const Expression<n>>(text, subject);
+    if (!expression->changes_in_time())
+      return expression->value(0.);
+    return TimeFunction<Vector<n>>(
+      [expression](const double time) { return expression->value(time); });
   }
 
-  template class MotionScript<1>;
-  template class MotionScript<2>;
-  template class MotionScript<3>;
+  TimeFunction<double>
+  read_scalar_expression(const std::string &text, const std::string &subject)
+  {
+    return read_expression<1>(text, subject).transformed([](const Vector<1> &value) {
+      return value[0];
+    });
+  }
+
+  template TimeFunction<Vector<1>>
+  read_expression(const std::string &, const std::string &);
+  template TimeFunction<Vector<2>>
+  read_expression(const std::string &, const std::string &);
+  template TimeFunction<Vector<3>>
+  read_expression(const std::string &, const std::string &);
 } // namespace magmpm

@@ -1,6 +1,6 @@
 #include <magmpm/base/constants.h>
 #include <magmpm/base/exceptions.h>
-#include <magmpm/motion/motion_script.h>
+#include <magmpm/motion/expression.h>
 
 #include "catch.h"
 
@@ -10,13 +10,13 @@ using namespace magmpm;
 
 namespace
 {
-  /** The message with which a script in 3D is refused; empty if it is not. */
+  /** The message with which an expression in 3D is refused; empty if it is not. */
   std::string
   refusal(const std::string &expression)
   {
     try
       {
-        MotionScript<3>(expression, "Position of source 'ball'");
+        read_expression<3>(expression, "Position of source 'ball'");
       }
     catch (const InputError &error)
       {
@@ -32,30 +32,31 @@ namespace
   }
 } // namespace
 
-TEST_CASE("a motion script is evaluated component by component", "[motion]")
+TEST_CASE("an expression is evaluated component by component", "[motion]")
 {
   // The expressions are those that C++ computes beside them, with constants, functions, a condition
   // and either separator.
-  const MotionScript<3> script("0.5 + 0.1*t^2; sin(2*pi*t), if(t < 1, 1, max(2, t))", "Position");
+  const auto script = read_expression<3>("0.5 + 0.1*t^2; sin(2*pi*t), if(t < 1, 1, max(2, t))",
+                                         "Position");
   for (const double t : {0., 0.3, 2.5})
     {
-      const Vector<3> x = script.value(t);
+      const Vector<3> x = script(t);
       CHECK(x[0] == Approx(0.5 + 0.1 * t * t));
       CHECK(x[1] == Approx(std::sin(2. * constants::pi * t)).margin(1e-15));
       CHECK(x[2] == (t < 1. ? 1. : std::max(2., t)));
     }
-  CHECK(MotionScript<2>(" 1e5*t ;-2", "Field").value(3.)[0] == 3e5);
+  CHECK(read_expression<2>(" 1e5*t ;-2", "Field")(3.)[0] == 3e5);
 }
 
-TEST_CASE("a motion script without t is constant", "[motion]")
+TEST_CASE("an expression without t is constant", "[motion]")
 {
   // Whether the name t occurs, and not whether the letter does (tan, 1e5, sqrt).
-  CHECK(MotionScript<2>("tan(0.5)*1e5; sqrt(2)", "Field").is_constant());
-  CHECK(!MotionScript<2>("0; 2*t", "Field").is_constant());
-  CHECK(!MotionScript<2>("0; sin(t)", "Field").is_constant());
+  CHECK(read_expression<2>("tan(0.5)*1e5; sqrt(2)", "Field").is_constant());
+  CHECK(!read_expression<2>("0; 2*t", "Field").is_constant());
+  CHECK(!read_expression<2>("0; sin(t)", "Field").is_constant());
 }
 
-TEST_CASE("a wrong motion script is refused with its reason", "[motion]")
+TEST_CASE("a wrong expression is refused with its reason", "[motion]")
 {
   // The wording, which users meet: who, what, why, and what is allowed.
   CHECK(refusal("0.5; 0.5") ==
@@ -77,5 +78,5 @@ TEST_CASE("a wrong motion script is refused with its reason", "[motion]")
   CHECK(contains(refusal("0; 0; rand()"), "draws random numbers"));
   CHECK(contains(refusal("0; 1/t; 0"), "is not a finite number at t = 0 s (component 2)"));
   CHECK(contains(refusal("0; 0; 0/t"), "is not a finite number at t = 0 s (component 3)"));
-  CHECK_THROWS_AS(MotionScript<2>("1/(t - 1); 0", "Position").value(1.), InputError);
+  CHECK_THROWS_AS(read_expression<2>("1/(t - 1); 0", "Position")(1.), InputError);
 }
