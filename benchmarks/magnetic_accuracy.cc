@@ -1,6 +1,7 @@
 #include <magmpm/base/exceptions.h>
 #include <magmpm/base/version.h>
 #include <magmpm/parallel/error_report.h>
+#include <magmpm/parallel/ranks.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -52,8 +53,8 @@ run_program(const Options &options, std::ostream &terminal)
       return;
     }
   if (!options.csv)
-    terminal << version_string() << ", " << dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD)
-             << " ranks" << std::endl
+    terminal << version_string() << ", " << parallel::n_ranks(MPI_COMM_WORLD) << " ranks"
+             << std::endl
              << "Relative errors of the magnetic part; "
              << (options.indicator == MaterialIndicator::sharp ? "sharp" : "smeared")
              << " indicator, cells of " << options.cell_edge << " dx at material" << std::endl;
@@ -78,7 +79,7 @@ main(int argc, char **argv)
 
   // Of all ranks only the first is heard.
   std::ostream silence(nullptr);
-  const bool first       = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+  const bool first       = parallel::rank(MPI_COMM_WORLD) == 0;
   std::ostream &terminal = first ? std::cout : silence;
   return static_cast<int>(parallel::report_errors(MPI_COMM_WORLD, std::cerr, [&]() {
     run_program(parse_options({argv + 1, argv + argc}, case_groups()), terminal);

@@ -14,9 +14,10 @@
 // field is switched on slowly: as it is when the first frame ends). Writes scene, step, residual.
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/timer.h>
 
 #include <magmpm/coupling/magnetic_coupling.h>
+#include <magmpm/parallel/phase_timer.h>
+#include <magmpm/parallel/ranks.h>
 #include <magmpm/particles/seeding.h>
 
 #include <magnetics/scene.h>
@@ -118,8 +119,8 @@ namespace
         seed_particles(body,
                        parameters.lattice,
                        bodies.size() - 1,
-                       dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD),
-                       dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD),
+                       parallel::rank(MPI_COMM_WORLD),
+                       parallel::n_ranks(MPI_COMM_WORLD),
                        bodies.back());
       }
     return bodies;
@@ -131,8 +132,7 @@ namespace
   first_solve(Parameters<dim> parameters)
   {
     parameters.magnetics.newton_tolerance = tolerance;
-    dealii::TimerOutput timer(
-      std::cerr, dealii::TimerOutput::never, dealii::TimerOutput::wall_times);
+    parallel::PhaseTimer timer;
     ExternalField<dim> magnets(parameters.sources);
     std::vector<Body<dim>> bodies = seeded_bodies(parameters);
     DomainDecomposition<dim> decomposition(parameters, MPI_COMM_WORLD);
@@ -157,7 +157,7 @@ namespace
     if (!parameters.mesh.carries_potential)
       return;
     const SolveReport report = first_solve(parameters);
-    if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
+    if (parallel::rank(MPI_COMM_WORLD) != 0)
       return;
     const std::string name = file.default_output_directory().substr(std::string("output-").size());
     const auto &residuals  = report.newton.residuals;

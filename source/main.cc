@@ -1,7 +1,8 @@
 #include <magmpm/base/version.h>
-#include <magmpm/simulation/command_line.h>
 #include <magmpm/parallel/error_report.h>
+#include <magmpm/parallel/ranks.h>
 #include <magmpm/parameters/parameters.h>
+#include <magmpm/simulation/command_line.h>
 #include <magmpm/simulation/simulation.h>
 
 #include <deal.II/base/mpi.h>
@@ -57,7 +58,7 @@ main(int argc, char **argv)
 
   // Of all ranks only the first is heard.
   std::ostream silence(nullptr);
-  const bool first       = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+  const bool first       = parallel::rank(MPI_COMM_WORLD) == 0;
   std::ostream &terminal = first ? std::cout : silence;
   return static_cast<int>(parallel::report_errors(MPI_COMM_WORLD, std::cerr, [&]() {
     run_program(parse_command_line({argv + 1, argv + argc}), terminal);

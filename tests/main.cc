@@ -3,6 +3,8 @@
 #define CATCH_CONFIG_RUNNER
 #include "catch.h"
 
+#include <magmpm/parallel/reduce.h>
+
 #include <deal.II/base/mpi.h>
 
 #include <iostream>
@@ -36,7 +38,7 @@ main(int argc, char **argv)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
-  const unsigned int rank = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
+  const unsigned int rank = magmpm::parallel::rank(MPI_COMM_WORLD);
   const int result        = run_tests(argc, argv, rank);
-  return dealii::Utilities::MPI::max(result, MPI_COMM_WORLD);
+  return magmpm::parallel::max(result, MPI_COMM_WORLD);
 }

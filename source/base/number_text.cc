@@ -30,6 +30,13 @@ namespace magmpm
   }
 
   std::string
+  with_digits(const unsigned long value, const int n_digits)
+  {
+    const std::string digits = std::to_string(value);
+    return std::string(std::max<int>(n_digits - static_cast<int>(digits.size()), 0), '0') + digits;
+  }
+
+  std::string
   three_digits(const double value)
   {
     return formatted("%.3g", value);

@@ -1,7 +1,6 @@
-#include <deal.II/base/mpi.h>
-
 #include <magmpm/boundary/rigid_collision.h>
 #include <magmpm/boundary/touched_nodes.h>
+#include <magmpm/parallel/reduce.h>
 
 #include <algorithm>
 
@@ -21,21 +20,11 @@ namespace magmpm
                    const MPI_Comm communicator,
                    std::vector<RigidEquation<dim>> &equations)
     {
-      std::vector<double> numbers;
-      const auto for_numbers = [&](const auto &action) {
-        for (std::size_t b = 0; b < bodies.size(); ++b)
-          for (int i = 0; i < n_rigid_components<dim> && bodies[b].is_free(); ++i)
-            {
-              action(equations[b].momentum[i]);
-              for (int j = 0; j <= i; ++j)
-                action(equations[b].inertia(i, j));
-            }
-      };
-      for_numbers([&](const double number) { numbers.push_back(number); });
-      dealii::Utilities::MPI::sum(
-        dealii::ArrayView<const double>(numbers), communicator, dealii::ArrayView<double>(numbers));
-      std::size_t next = 0;
-      for_numbers([&](double &number) { number = numbers[next++]; });
+      parallel::Reduction reduction;
+      for (std::size_t b = 0; b < bodies.size(); ++b)
+        if (bodies[b].is_free())
+          reduction.sum(equations[b]);
+      reduction.carry_out(communicator);
       for (RigidEquation<dim> &equation : equations)
         for (int i = 0; i < n_rigid_components<dim>; ++i)
           for (int j = 0; j < i; ++j)

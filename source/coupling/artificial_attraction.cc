@@ -1,8 +1,7 @@
-#include <deal.II/base/mpi.h>
-
-#include <magmpm/coupling/artificial_attraction.h>
-#include <magmpm/parameters/given_parameters.h>
 #include <magmpm/base/number_text.h>
+#include <magmpm/coupling/artificial_attraction.h>
+#include <magmpm/parallel/reduce.h>
+#include <magmpm/parameters/given_parameters.h>
 #include <magmpm/simulation/particle_reductions.h>
 
 namespace magmpm
@@ -20,8 +19,7 @@ namespace magmpm
       magnetic += sums.magnetic_force;
     for (const Body<dim> &body : bodies)
       artificial += force_of(attraction, body);
-    for (int d = 0; d < dim; ++d)
-      artificial[d] = dealii::Utilities::MPI::sum(artificial[d], communicator);
+    artificial = parallel::sum(artificial, communicator);
     if (!(norm(magnetic) > 0. && norm(artificial) > 0.))
       throw RunError("'Attraction/Strength = match magnets' finds no force to match: that of the "
                      "magnets is " +

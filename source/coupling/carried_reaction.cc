@@ -1,4 +1,5 @@
 #include <magmpm/coupling/carried_reaction.h>
+#include <magmpm/parallel/numbers.h>
 
 #include <algorithm>
 #include <cmath>
@@ -35,7 +36,7 @@ namespace magmpm
 
   template <int dim>
   void
-  set_reactions(const std::vector<ForceAndTorque<dim>> &found,
+  set_reactions(std::vector<ForceAndTorque<dim>> found,
                 const double way,
                 CarriedReactions &reactions)
   {
@@ -44,14 +45,7 @@ namespace magmpm
     const std::vector<double> before = reactions.now;
 
     reactions.now.clear();
-    for (const ForceAndTorque<dim> &reaction : found)
-      {
-        reactions.now.insert(
-          reactions.now.end(), reaction.force.values, reaction.force.values + dim);
-        reactions.now.insert(reactions.now.end(),
-                             reaction.torque.values,
-                             reaction.torque.values + n_axial_components<dim>);
-      }
+    parallel::for_each_number(found, [&](const double number) { reactions.now.push_back(number); });
     reactions.rate.assign(reactions.now.size(), 0.);
     if (!(way > 0.) || before.size() != reactions.now.size())
       return;
@@ -81,9 +75,10 @@ namespace magmpm
   reaction_on(const std::size_t source, const CarriedReactions &reactions)
   {
     ForceAndTorque<dim> result = {};
-    const std::size_t first    = source * n_numbers<dim>;
-    if (first + n_numbers < dim >> reactions.now.size())
-      return result;
+    std::size_t next           = source * n_numbers<dim>;
+    if (next < reactions.now.size())
+      parallel::for_each_number(result, [&](double &number) { number = reactions.now[next++]; });
+    return result;
     for (int d = 0; d < dim; ++d)
       result.force[d] = reactions.now[first + d];
     for (int k = 0; k < n_axial_components<dim>; ++k)
@@ -91,9 +86,8 @@ namespace magmpm
     return result;
   }
 
-#define INSTANTIATE(dim)                                                         \
-  template void set_reactions(                                                   \
-    const std::vector<ForceAndTorque<dim>> &, const double, CarriedReactions &); \
+#define INSTANTIATE(dim)                                                                           \
+  template void set_reactions(std::vector<ForceAndTorque<dim>>, const double, CarriedReactions &); \
   template ForceAndTorque<dim> reaction_on(const std::size_t, const CarriedReactions &);
 
   INSTANTIATE(2)

@@ -1,4 +1,4 @@
-#include <deal.II/base/mpi.h>
+#include <magmpm/parallel/reduce.h>
 
 #include <magmpm/coupling/fluid_density.h>
 
@@ -20,8 +20,8 @@ namespace magmpm
     complete_fluid_fraction(blocks, lattice, open, scratch);
     partition.update_ghosts(scratch);
     const DensityError error = relax_volume_ratios(scratch, blocks, lattice, time, bodies);
-    const double n_particles = dealii::Utilities::MPI::sum(error.n_particles, communicator);
-    const double sum         = dealii::Utilities::MPI::sum(error.sum, communicator);
+    const double n_particles = parallel::sum(error.n_particles, communicator);
+    const double sum         = parallel::sum(error.sum, communicator);
     return n_particles > 0. ? sum / n_particles : 0.;
   }
 

@@ -1,12 +1,10 @@
-#include <deal.II/base/mpi.h>
-#include <deal.II/base/timer.h>
-
+#include <magmpm/coupling/carried_force.h>
 #include <magmpm/coupling/carried_reaction.h>
 #include <magmpm/coupling/magnetic_coupling.h>
-#include <magmpm/mesh/mirror_images.h>
 #include <magmpm/magnetics/potential_problem.h>
 #include <magmpm/magnetics/source_reaction.h>
-#include <magmpm/coupling/carried_force.h>
+#include <magmpm/mesh/mirror_images.h>
+#include <magmpm/parallel/reduce.h>
 #include <magmpm/particles/magnetic_transfer.h>
 #include <magmpm/particles/particle_sums.h>
 
@@ -18,7 +16,7 @@ namespace magmpm
   MagneticCoupling<dim>::MagneticCoupling(const Parameters<dim> &parameters,
                                           const DomainDecomposition<dim> &decomposition,
                                           ExternalField<dim> &external_field,
-                                          dealii::TimerOutput &timer,
+                                          parallel::PhaseTimer &timer,
                                           const MPI_Comm communicator)
     : parameters(parameters)
     , decomposition(decomposition)
@@ -57,8 +55,7 @@ namespace magmpm
         state.drift_since_solve = 0.;
         for (const Body<dim> &body : bodies)
           state.drift_since_solve = std::max(state.drift_since_solve, way_since_solve(body));
-        state.drift_since_solve = dealii::Utilities::MPI::max(state.drift_since_solve,
-                                                              communicator);
+        state.drift_since_solve = parallel::max(state.drift_since_solve, communicator);
         // A motion that turned back is a vibration: its way says nothing about the force.
         if (state.drift_since_solve <= tolerated)
           {

@@ -1,8 +1,7 @@
-#include <deal.II/base/mpi.h>
-
 #include <magmpm/boundary/momentum_update.h>
-#include <magmpm/coupling/rigid_hold.h>
 #include <magmpm/coupling/rigid_body_coupling.h>
+#include <magmpm/coupling/rigid_hold.h>
+#include <magmpm/parallel/reduce.h>
 
 #include <algorithm>
 #include <cmath>
@@ -130,72 +129,66 @@ namespace magmpm
                                          std::vector<Body<dim>> &bodies,
                                          RunState &state)
   {
-    std::vector<double> sums = push_out(blocks, bodies, state);
-    std::size_t n_held       = 0;
+    std::vector<RigidHold<dim>> pushed = push_out(blocks, bodies);
+    std::size_t n_held                 = 0;
     for (Body<dim> &body : bodies)
       n_held += hold_at_walls(blocks, parameters.lattice, open, body);
-    sums.push_back(static_cast<double>(n_held));
-    dealii::Utilities::MPI::sum(sums, communicator, sums);
-    state.held_particles += static_cast<std::size_t>(sums.back());
+    parallel::Reduction reduction;
+    for (RigidHold<dim> &hold : pushed)
+      {
+        reduction.sum(hold);
+        reduction.max(hold.deepest);
+      }
+    reduction.sum(n_held);
+    reduction.carry_out(communicator);
+    state.held_particles += n_held;
 
     const std::size_t pushed_before = state.particles_pushed_out;
-    take_pushed(sums, state);
+    take_pushed(pushed, state);
     const bool any_pushed = state.particles_pushed_out > pushed_before;
     return any_pushed ? largest_push * parameters.lattice.spacing : 0.;
   }
 
   template <int dim>
-  std::vector<double>
+  std::vector<RigidHold<dim>>
   RigidBodyCoupling<dim>::push_out(const BlockSet<dim> &blocks,
-                                   std::vector<Body<dim>> &bodies,
-                                   RunState &state) const
+                                   std::vector<Body<dim>> &bodies) const
   {
-    std::vector<double> sums;
+    std::vector<RigidHold<dim>> pushed;
     for (const RigidBody<dim> &rigid_body : rigid_bodies.all())
       {
+        pushed.emplace_back();
         if (rigid_body.contact().condition == ContactCondition::none)
           continue;
-        RigidHold<dim> all;
         for (Body<dim> &body : bodies)
-          all += hold_outside(blocks,
-                              parameters.lattice,
-                              rigid_body.shape(),
-                              rigid_body.pose_of_shape(),
-                              rigid_body.motion_of_shape(),
-                              tolerated_depth * parameters.lattice.spacing,
-                              body);
-        state.deepest_penetration = std::max(state.deepest_penetration, all.deepest);
-        sums.push_back(static_cast<double>(all.n_inside));
-        sums.push_back(static_cast<double>(all.n_held));
-        sums.insert(sums.end(), all.impulse.values, all.impulse.values + dim);
-        sums.insert(sums.end(),
-                    all.angular_impulse.values,
-                    all.angular_impulse.values + n_axial_components<dim>);
+          pushed.back() += hold_outside(blocks,
+                                        parameters.lattice,
+                                        rigid_body.shape(),
+                                        rigid_body.pose_of_shape(),
+                                        rigid_body.motion_of_shape(),
+                                        tolerated_depth * parameters.lattice.spacing,
+                                        body);
       }
-    return sums;
+    return pushed;
   }
 
   template <int dim>
   void
-  RigidBodyCoupling<dim>::take_pushed(const std::vector<double> &sums, RunState &state)
+  RigidBodyCoupling<dim>::take_pushed(const std::vector<RigidHold<dim>> &pushed, RunState &state)
   {
     state.particles_inside = 0;
-    const double *next     = sums.data();
-    for (RigidBody<dim> &body : rigid_bodies.all())
+    for (std::size_t b = 0; b < pushed.size(); ++b)
       {
-        if (body.contact().condition == ContactCondition::none)
-          continue;
-        state.particles_inside += static_cast<std::size_t>(next[0]);
-        state.particles_pushed_out += static_cast<std::size_t>(next[1]);
-        Vector<dim> impulse;
-        Vector<n_axial_components<dim>> angular;
-        std::copy_n(next + 2, dim, impulse.values);
-        std::copy_n(next + 2 + dim, n_axial_components<dim>, angular.values);
-        next += 2 + n_rigid_components<dim>;
+        RigidBody<dim> &body       = rigid_bodies.all()[b];
+        const RigidHold<dim> &hold = pushed[b];
+        state.particles_inside += hold.n_inside;
+        state.particles_pushed_out += hold.n_held;
+        state.deepest_penetration = std::max(state.deepest_penetration, hold.deepest);
         if (body.is_free())
-          body.add_impulse(impulse,
-                           angular +
-                             cross(body.pose_of_shape().position - body.pose().position, impulse));
+          body.add_impulse(hold.impulse,
+                           hold.angular_impulse +
+                             cross(body.pose_of_shape().position - body.pose().position,
+                                   hold.impulse));
       }
     state.rigid_bodies = rigid_bodies.record();
   }

@@ -1,9 +1,8 @@
-#include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_tools.h>
 
-#include <magmpm/lattice/cell_stencil.h>
 #include <magmpm/elliptic/potential_space.h>
+#include <magmpm/lattice/cell_stencil.h>
 
 namespace magmpm
 {

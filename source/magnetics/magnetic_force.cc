@@ -1,4 +1,3 @@
-#include <deal.II/base/mpi.h>
 #include <deal.II/matrix_free/fe_evaluation.h>
 
 #include <magmpm/base/constants.h>

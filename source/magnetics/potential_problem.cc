@@ -1,15 +1,14 @@
-#include <deal.II/base/mpi.h>
-#include <deal.II/base/timer.h>
-
 #include <magmpm/base/constants.h>
-#include <magmpm/magnetics/force_handover.h>
-#include <magmpm/magnetics/magnetic_force.h>
-#include <magmpm/mesh/mirror_images.h>
 #include <magmpm/elliptic/open_boundary.h>
 #include <magmpm/elliptic/potential_operator.h>
+#include <magmpm/elliptic/potential_solver.h>
+#include <magmpm/magnetics/force_handover.h>
+#include <magmpm/magnetics/magnetic_force.h>
 #include <magmpm/magnetics/potential_problem.h>
 #include <magmpm/magnetics/potential_residual.h>
-#include <magmpm/elliptic/potential_solver.h>
+#include <magmpm/mesh/mirror_images.h>
+#include <magmpm/parallel/phase_timer.h>
+#include <magmpm/parallel/reduce.h>
 
 namespace magmpm
 {
@@ -97,7 +96,7 @@ namespace magmpm
     Implementation(const BackgroundMesh<dim> &mesh,
                    const BlockPartition<dim> &partition,
                    const MagneticsParameters<dim> &parameters,
-                   dealii::TimerOutput &timer)
+                   parallel::PhaseTimer &timer)
       : mesh(mesh)
       , partition(partition)
       , parameters(parameters)
@@ -138,7 +137,7 @@ namespace magmpm
     const BackgroundMesh<dim> &mesh;
     const BlockPartition<dim> &partition;
     const MagneticsParameters<dim> parameters;
-    dealii::TimerOutput &timer;
+    parallel::PhaseTimer &timer;
 
     PotentialSolution<dim> solution;
     unsigned int revision = 0; ///< of the mesh
@@ -156,7 +155,7 @@ namespace magmpm
   void
   PotentialProblem<dim>::Implementation::set_up()
   {
-    const dealii::TimerOutput::Scope section(timer, "Set up potential");
+    const parallel::PhaseTimer::Scope section(timer, "Set up potential");
     solver.reset();
     boundary.reset();
     jacobian.clear();
@@ -177,7 +176,7 @@ namespace magmpm
   PotentialProblem<dim>::Implementation::set_state(const NodeField<dim> &content,
                                                    const ExternalField<dim> &sources)
   {
-    const dealii::TimerOutput::Scope section(timer, "Solve potential: material");
+    const parallel::PhaseTimer::Scope section(timer, "Solve potential: material");
     const PotentialSpace<dim> &space = *solution.space;
     material.reinit(space.lattice_cells, content, sources);
 
@@ -185,10 +184,8 @@ namespace magmpm
     const auto local = material.magnetized_weight();
     std::array<double, dim + 1> sums;
     std::copy_n(local.second.values, dim, sums.begin());
-    sums[dim] = local.first;
-    dealii::Utilities::MPI::sum(dealii::ArrayView<const double>(sums.data(), sums.size()),
-                                mesh.communicator(),
-                                dealii::ArrayView<double>(sums.data(), sums.size()));
+    sums[dim]          = local.first;
+    sums               = parallel::sum(sums, mesh.communicator());
     Vector<dim> centre = 0.5 * (space.lower_corner + space.upper_corner);
     for (int d = 0; d < dim && sums[dim] > 0.; ++d)
       centre[d] = sums[d] / sums[dim];
@@ -207,7 +204,7 @@ namespace magmpm
   PotentialProblem<dim>::Implementation::evaluate(const PotentialVector &potential,
                                                   PotentialVector &result)
   {
-    const dealii::TimerOutput::Scope section(timer, "Solve potential: residual");
+    const parallel::PhaseTimer::Scope section(timer, "Solve potential: residual");
     residual.evaluate(*solution.space, material, jacobian, potential, result);
   }
 
@@ -223,7 +220,7 @@ namespace magmpm
   void
   PotentialProblem<dim>::Implementation::rebuild_preconditioner()
   {
-    const dealii::TimerOutput::Scope section(timer, "Solve potential: preconditioner");
+    const parallel::PhaseTimer::Scope section(timer, "Solve potential: preconditioner");
     solver->rebuild(jacobian_data());
     rule.rebuilt();
     has_rebuilt = true;
@@ -235,7 +232,7 @@ namespace magmpm
                                                 const double tolerance,
                                                 PotentialVector &step)
   {
-    const dealii::TimerOutput::Scope section(timer, "Solve potential: CG");
+    const parallel::PhaseTimer::Scope section(timer, "Solve potential: CG");
     return solver->solve(jacobian, right_hand_side, tolerance, parameters.max_cg_iterations, step);
   }
 
@@ -243,7 +240,7 @@ namespace magmpm
   void
   PotentialProblem<dim>::Implementation::update_jacobian()
   {
-    const dealii::TimerOutput::Scope section(timer, "Solve potential: Jacobian");
+    const parallel::PhaseTimer::Scope section(timer, "Solve potential: Jacobian");
     const PotentialSpace<dim> &space = *solution.space;
     jacobian.set_permeability([&](const unsigned int batch, const unsigned int lane) {
       return residual.permeability(material, space.lattice_cell(batch, lane));
@@ -282,7 +279,7 @@ namespace magmpm
   PotentialProblem<dim>::PotentialProblem(const BackgroundMesh<dim> &mesh,
                                           const BlockPartition<dim> &partition,
                                           const MagneticsParameters<dim> &parameters,
-                                          dealii::TimerOutput &timer)
+                                          parallel::PhaseTimer &timer)
     : implementation(std::make_unique<Implementation>(mesh, partition, parameters, timer))
   {
   }
@@ -322,10 +319,10 @@ namespace magmpm
     report.preconditioner_rebuilt = problem.has_rebuilt;
     report.energy                 = -constants::vacuum_permeability * problem.residual.energy();
     report.n_unknowns             = n_unknowns();
-    report.clipped_fractions      = dealii::Utilities::MPI::sum(
-      problem.material.indicator().n_clipped_fractions(), problem.mesh.communicator());
-    report.clipped_corrections = dealii::Utilities::MPI::sum(
-      problem.material.indicator().n_clipped_corrections(), problem.mesh.communicator());
+    report.clipped_fractions   = parallel::sum(problem.material.indicator().n_clipped_fractions(),
+                                             problem.mesh.communicator());
+    report.clipped_corrections = parallel::sum(problem.material.indicator().n_clipped_corrections(),
+                                               problem.mesh.communicator());
     return report;
   }
 
@@ -334,15 +331,14 @@ namespace magmpm
   PotentialProblem<dim>::compute_force(const NodeField<dim> &mass, NodeField<dim> &force) const
   {
     const Implementation &problem = *implementation;
-    const dealii::TimerOutput::Scope section(problem.timer, "Compute magnetic force");
+    const parallel::PhaseTimer::Scope section(problem.timer, "Compute magnetic force");
     compute_split_force(problem.solution, problem.material, problem.partition, force);
     // The quadrature ends at a mirror, where stress does not: the force needs that of both sides.
     add_mirror_images_of_vector(
       problem.partition, problem.mesh.lattice(), problem.parameters.shielded, force);
     Vector<dim> dropped = hand_force_inward(problem.partition, mass, force);
     problem.partition.update_ghosts(force);
-    for (int d = 0; d < dim; ++d)
-      dropped[d] = dealii::Utilities::MPI::sum(dropped[d], problem.mesh.communicator());
+    dropped = parallel::sum(dropped, problem.mesh.communicator());
     return dropped;
   }
 
@@ -351,7 +347,7 @@ namespace magmpm
   PotentialProblem<dim>::compute_field(NodeField<dim> &field) const
   {
     const Implementation &problem = *implementation;
-    const dealii::TimerOutput::Scope section(problem.timer, "Compute magnetic force");
+    const parallel::PhaseTimer::Scope section(problem.timer, "Compute magnetic force");
     compute_material_field(problem.solution, problem.material, problem.partition, field);
   }
 

@@ -1,6 +1,5 @@
-#include <deal.II/base/mpi.h>
-
 #include <magmpm/magnetics/potential_residual.h>
+#include <magmpm/parallel/reduce.h>
 
 namespace magmpm
 {
@@ -94,7 +93,7 @@ namespace magmpm
   double
   PotentialResidual<dim>::energy() const
   {
-    return dealii::Utilities::MPI::sum(local_energy, communicator);
+    return parallel::sum(local_energy, communicator);
   }
 
   template class PotentialResidual<2>;

@@ -1,27 +1,9 @@
-#include <deal.II/base/mpi.h>
-
 #include <magmpm/base/constants.h>
 #include <magmpm/magnetics/source_reaction.h>
+#include <magmpm/parallel/reduce.h>
 
 namespace magmpm
 {
-  namespace
-  {
-    /** Force and torque as numbers that add up over ranks. */
-    template <int dim, typename Reactions, typename Action>
-    void
-    for_numbers(Reactions &reactions, const Action &action)
-    {
-      for (auto &reaction : reactions)
-        {
-          for (int d = 0; d < dim; ++d)
-            action(reaction.force[d]);
-          for (int k = 0; k < n_axial_components<dim>; ++k)
-            action(reaction.torque[k]);
-        }
-    }
-  } // namespace
-
   template <int dim>
   std::vector<ForceAndTorque<dim>>
   reactions_on_sources(const std::vector<MaterialSample<dim>> &samples,
@@ -46,13 +28,7 @@ namespace magmpm
         reactions.push_back(sum);
       }
 
-    std::vector<double> numbers;
-    for_numbers<dim>(reactions, [&](const double number) { numbers.push_back(number); });
-    dealii::Utilities::MPI::sum(
-      dealii::ArrayView<const double>(numbers), communicator, dealii::ArrayView<double>(numbers));
-    std::size_t next = 0;
-    for_numbers<dim>(reactions, [&](double &number) { number = numbers[next++]; });
-    return reactions;
+    return parallel::sum(reactions, communicator);
   }
 
 #define MAGMPM_INSTANTIATE(dim)                                   \

@@ -1,10 +1,11 @@
-#include <deal.II/base/mpi.h>
 #include <deal.II/distributed/tria.h>
 #include <deal.II/grid/grid_generator.h>
 
 #include <magmpm/lattice/block_set.h>
 #include <magmpm/mesh/background_mesh.h>
 #include <magmpm/mesh/potential_box.h>
+#include <magmpm/parallel/gather.h>
+#include <magmpm/parallel/reduce.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -57,7 +58,7 @@ namespace magmpm
     of_all_ranks(const MPI_Comm communicator, const std::vector<T> &values)
     {
       std::vector<T> all;
-      for (const auto &of_rank : dealii::Utilities::MPI::all_gather(communicator, values))
+      for (const auto &of_rank : parallel::all_gather(values, communicator))
         all.insert(all.end(), of_rank.begin(), of_rank.end());
       return all;
     }
@@ -278,8 +279,7 @@ namespace magmpm
           if (needed.count(block_key<dim>(block)) > 0)
             owned.insert(block_key<dim>(block));
         }
-    const std::size_t found = dealii::Utilities::MPI::sum(owned.size(),
-                                                          triangulation.get_communicator());
+    const std::size_t found = parallel::sum(owned.size(), triangulation.get_communicator());
     return found == needed.size();
   }
 
@@ -316,7 +316,7 @@ namespace magmpm
               any = true;
             }
         }
-    any = dealii::Utilities::MPI::max(static_cast<int>(any), triangulation.get_communicator()) > 0;
+    any = parallel::any(any, triangulation.get_communicator());
     if (any)
       triangulation.execute_coarsening_and_refinement();
     return any;
@@ -330,8 +330,13 @@ namespace magmpm
     for (const auto &cell : triangulation.active_cell_iterators())
       if (cell->is_locally_owned())
         load += weight(cell);
-    const auto loads = dealii::Utilities::MPI::min_max_avg(load, triangulation.get_communicator());
-    return loads.avg > 0. ? loads.max / loads.avg : 1.;
+    const MPI_Comm communicator = triangulation.get_communicator();
+    double largest = load, sum = load;
+    parallel::Reduction reduction;
+    reduction.max(largest);
+    reduction.sum(sum);
+    reduction.carry_out(communicator);
+    return sum > 0. ? largest / (sum / parallel::n_ranks(communicator)) : 1.;
   }
 
   template <int dim>

@@ -1,7 +1,7 @@
-#include <deal.II/base/mpi.h>
 #include <deal.II/base/partitioner.h>
 
 #include <magmpm/mesh/block_partition.h>
+#include <magmpm/parallel/exchange.h>
 
 #include <algorithm>
 #include <map>
@@ -52,11 +52,11 @@ namespace magmpm
   {
     using dealii::types::global_dof_index;
     const MPI_Comm communicator = mesh.communicator();
-    const unsigned int rank     = dealii::Utilities::MPI::this_mpi_process(communicator);
+    const unsigned int rank     = parallel::rank(communicator);
 
     // Occupied blocks activate the ones around them, also those of other ranks.
     BlocksByRank<dim> activated = blocks_around<dim>(mesh, occupied);
-    for (const auto &request : dealii::Utilities::MPI::some_to_some(communicator, activated))
+    for (const auto &request : parallel::exchange(activated, communicator))
       if (request.first != rank)
         activated[rank].insert(activated[rank].end(), request.second.begin(), request.second.end());
     std::vector<Index<dim>> owned = activated[rank];
@@ -74,7 +74,7 @@ namespace magmpm
     BlocksByRank<dim> asked = blocks_around<dim>(mesh, owned);
     asked.erase(rank);
     std::map<unsigned int, std::vector<long long>> answers;
-    for (const auto &request : dealii::Utilities::MPI::some_to_some(communicator, asked))
+    for (const auto &request : parallel::exchange(asked, communicator))
       for (const Index<dim> &block : request.second)
         {
           const int slot = owned_set.slot(block);
@@ -82,7 +82,7 @@ namespace magmpm
             slot == invalid_slot ? -1 : static_cast<long long>(first + slot));
         }
     std::map<global_dof_index, Index<dim>> ghosts;
-    for (const auto &answer : dealii::Utilities::MPI::some_to_some(communicator, answers))
+    for (const auto &answer : parallel::exchange(answers, communicator))
       for (std::size_t b = 0; b < answer.second.size(); ++b)
         if (answer.second[b] >= 0)
           ghosts[answer.second[b]] = asked[answer.first][b];

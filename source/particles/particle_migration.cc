@@ -1,5 +1,4 @@
-#include <deal.II/base/mpi.h>
-
+#include <magmpm/parallel/exchange.h>
 #include <magmpm/particles/particle_migration.h>
 
 #include <map>
@@ -12,7 +11,7 @@ namespace magmpm
                     const std::vector<unsigned int> &destination,
                     ParticleSet<dim> &particles)
   {
-    const unsigned int rank = dealii::Utilities::MPI::this_mpi_process(communicator);
+    const unsigned int rank = parallel::rank(communicator);
     std::map<unsigned int, std::vector<double>> leaving;
     std::vector<std::uint32_t> staying;
     staying.reserve(particles.size());
@@ -25,7 +24,7 @@ namespace magmpm
     const std::size_t n_sent = particles.size() - staying.size();
     if (n_sent > 0)
       particles.reorder(staying);
-    for (const auto &arrived : dealii::Utilities::MPI::some_to_some(communicator, leaving))
+    for (const auto &arrived : parallel::exchange(leaving, communicator))
       particles.append_from_records(arrived.second);
     return n_sent;
   }

@@ -105,18 +105,70 @@ namespace magmpm
         add_magnetics(particles, setting, volume_ratio, place, sums);
     }
 
+    /** Takes the members of one lane. */
+    struct LaneTaker
+    {
+      const std::size_t lane;
+
+      void
+      sum(double &to, const SimdDouble &from) const
+      {
+        to = from[lane];
+      }
+
+      template <int n>
+      void
+      sum(Vector<n> &to, const Vector<n, SimdDouble> &from) const
+      {
+        for (int i = 0; i < n; ++i)
+          to[i] = from.values[i][lane];
+      }
+
+      void
+      max(double &to, const SimdDouble &from) const
+      {
+        sum(to, from);
+      }
+
+      void
+      min(double &to, const SimdDouble &from) const
+      {
+        sum(to, from);
+      }
+    };
+
     template <int dim>
     ParticleSums<dim>
-    lane_of(const ParticleSums<dim, SimdDouble> &sums, const int lane)
+    lane_of(const ParticleSums<dim, SimdDouble> &sums, const std::size_t lane)
     {
       ParticleSums<dim> result;
-      static_assert(sizeof(sums) == SimdDouble::n_lanes * sizeof(result));
-      const auto *from = reinterpret_cast<const SimdDouble *>(&sums);
-      auto *to         = reinterpret_cast<double *>(&result);
-      for (std::size_t i = 0; i < sizeof(result) / sizeof(double); ++i)
-        to[i] = from[i][lane];
+      const LaneTaker taker = {lane};
+      result.for_each_member(taker, sums);
       return result;
     }
+
+    /** Combines the members of two sets of particles. */
+    struct Combiner
+    {
+      template <typename T>
+      void
+      sum(T &one, const T &other) const
+      {
+        one += other;
+      }
+
+      void
+      max(double &one, const double other) const
+      {
+        one = std::max(one, other);
+      }
+
+      void
+      min(double &one, const double other) const
+      {
+        one = std::min(one, other);
+      }
+    };
 
     /** Takes the roots of what was summed as squares. */
     template <int dim>
@@ -136,25 +188,8 @@ namespace magmpm
   ParticleSums<dim, Number> &
   ParticleSums<dim, Number>::operator+=(const ParticleSums &other)
   {
-    n_particles += other.n_particles;
-    mass += other.mass;
-    kinetic_energy += other.kinetic_energy;
-    elastic_energy += other.elastic_energy;
-    gravitational_energy += other.gravitational_energy;
-    momentum += other.momentum;
-    mass_times_position += other.mass_times_position;
-    angular_momentum += other.angular_momentum;
-    magnetic_force += other.magnetic_force;
-    magnetic_moment += other.magnetic_moment;
-    max_speed                 = std::max(max_speed, other.max_speed);
-    max_affine_velocity       = std::max(max_affine_velocity, other.max_affine_velocity);
-    min_volume_ratio          = std::min(min_volume_ratio, other.min_volume_ratio);
-    max_volume_ratio          = std::max(max_volume_ratio, other.max_volume_ratio);
-    max_field                 = std::max(max_field, other.max_field);
-    max_magnetization         = std::max(max_magnetization, other.max_magnetization);
-    max_magnetic_acceleration = std::max(max_magnetic_acceleration,
-                                         other.max_magnetic_acceleration);
-    max_magnetic_wave_speed   = std::max(max_magnetic_wave_speed, other.max_magnetic_wave_speed);
+    const Combiner combiner;
+    for_each_member(combiner, other);
     return *this;
   }
 

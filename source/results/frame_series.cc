@@ -1,7 +1,6 @@
 #include <magmpm/base/exceptions.h>
+#include <magmpm/parallel/together.h>
 #include <magmpm/results/frame_series.h>
-
-#include <deal.II/base/mpi.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -10,31 +9,6 @@
 
 namespace magmpm
 {
-  namespace
-  {
-    /** An action of rank 0; if it fails, all ranks throw the RunError. */
-    template <typename Action>
-    void
-    on_first_rank(const MPI_Comm communicator, const Action &action)
-    {
-      std::string error;
-      if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-        {
-          try
-            {
-              action();
-            }
-          catch (const std::exception &exception)
-            {
-              error = exception.what();
-            }
-        }
-      error = dealii::Utilities::MPI::broadcast(communicator, error, 0);
-      if (!error.empty())
-        throw RunError(error);
-    }
-  } // namespace
-
   FrameSeries::FrameSeries(const MPI_Comm communicator,
                            const std::string &directory,
                            const FrameKind &kind)
@@ -48,21 +22,15 @@ namespace magmpm
   void
   FrameSeries::make_folder() const
   {
-    on_first_rank(communicator, [this]() {
-      std::error_code error;
-      std::filesystem::create_directories(folder(), error);
-      std::string things = kind.name;
-      std::replace(things.begin(), things.end(), '_', ' ');
-      if (error)
-        throw RunError("The folder '" + folder() + "' for the " + things +
-                       " cannot be made. Are you allowed to write there?");
-    });
+    std::string things = kind.name;
+    std::replace(things.begin(), things.end(), '_', ' ');
+    parallel::make_folder(communicator, folder(), "the " + things);
   }
 
   void
   FrameSeries::add(const double time, const std::string &file)
   {
-    on_first_rank(communicator, [&]() { record.add(time, kind.name + "/" + file); });
+    parallel::on_first_rank(communicator, [&]() { record.add(time, kind.name + "/" + file); });
   }
 
   std::string

@@ -1,6 +1,5 @@
-#include <deal.II/base/mpi.h>
-#include <deal.II/base/utilities.h>
-
+#include <magmpm/parallel/reduce.h>
+#include <magmpm/parallel/together.h>
 #include <magmpm/results/field_output.h>
 #include <magmpm/results/results.h>
 #include <magmpm/results/rigid_body_columns.h>
@@ -31,24 +30,31 @@ namespace magmpm
     prepare_folder(const Parameters<dim> &parameters, const MPI_Comm communicator)
     {
       const std::string directory = parameters.output.directory;
-      std::string error;
-      if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-        {
-          try
-            {
-              std::filesystem::create_directories(directory);
-              write_text(directory + "/original.prm", parameters.original_text);
-              write_text(directory + "/parameters.prm", parameters.complete_text);
-            }
-          catch (const std::exception &exception)
-            {
-              error = exception.what();
-            }
-        }
-      error = dealii::Utilities::MPI::broadcast(communicator, error, 0);
-      if (!error.empty())
-        throw RunError("the output folder '" + directory + "' cannot be made: " + error);
+      parallel::on_first_rank(communicator, [&]() {
+        try
+          {
+            std::filesystem::create_directories(directory);
+            write_text(directory + "/original.prm", parameters.original_text);
+            write_text(directory + "/parameters.prm", parameters.complete_text);
+          }
+        catch (const std::exception &exception)
+          {
+            throw RunError("the output folder '" + directory +
+                           "' cannot be made: " + exception.what());
+          }
+      });
       return directory;
+    }
+
+    /** The memory that this process takes now [B]; zero where Linux does not say. */
+    double
+    resident_memory()
+    {
+      std::ifstream status("/proc/self/status");
+      for (std::string word; status >> word;)
+        if (double kilobytes = 0.; word == "VmRSS:" && status >> kilobytes)
+          return 1024. * kilobytes;
+      return 0.;
     }
 
     template <int dim>
@@ -133,16 +139,13 @@ namespace magmpm
     scene.dimension          = dim;
     scene.lattice_spacing    = parameters.lattice.spacing;
     scene.potential_unknowns = state.last_solve.n_unknowns;
-    dealii::Utilities::System::MemoryStats memory; // in kilobytes
-    dealii::Utilities::System::get_memory_stats(memory);
-    scene.memory = 1024. *
-                   dealii::Utilities::MPI::sum(static_cast<double>(memory.VmRSS), communicator);
-    scene.imbalance = state.imbalance;
+    scene.memory             = parallel::sum(resident_memory(), communicator);
+    scene.imbalance          = state.imbalance;
     for (std::size_t b = 0; b < bodies.size(); ++b)
       {
         const BodyParameters<dim> &body = parameters.bodies[b];
-        const unsigned long n_particles =
-          dealii::Utilities::MPI::sum<unsigned long>(bodies[b].particles.size(), communicator);
+        const unsigned long n_particles = parallel::sum<unsigned long>(bodies[b].particles.size(),
+                                                                       communicator);
         scene.n_particles += n_particles;
         scene.bodies.push_back({body.name,
                                 n_particles,

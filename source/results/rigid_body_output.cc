@@ -1,5 +1,4 @@
-#include <deal.II/base/mpi.h>
-
+#include <magmpm/parallel/ranks.h>
 #include <magmpm/results/rigid_body_output.h>
 #include <magmpm/results/vtu_file.h>
 
@@ -58,7 +57,7 @@ namespace magmpm
     piece.points_per_cell = dim;
     piece.cell_type       = dim == 2 ? line : triangle;
     piece.quantities.push_back({"body [-]", 1, {}});
-    const bool is_writer = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
+    const bool is_writer = parallel::rank(communicator) == 0;
     for (const Thing &thing : things)
       {
         if (!is_writer)

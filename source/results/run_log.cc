@@ -1,7 +1,7 @@
 #include <magmpm/base/exceptions.h>
+#include <magmpm/base/number_text.h>
 #include <magmpm/base/simd.h>
 #include <magmpm/base/version.h>
-#include <magmpm/base/number_text.h>
 #include <magmpm/results/run_log.h>
 
 #include <cmath>

@@ -1,6 +1,6 @@
-#include <deal.II/base/mpi.h>
-
 #include <magmpm/base/exceptions.h>
+#include <magmpm/parallel/ranks.h>
+#include <magmpm/parallel/together.h>
 #include <magmpm/results/surface_output.h>
 #include <magmpm/surface/volume_fraction.h>
 
@@ -130,7 +130,7 @@ namespace magmpm
                                   const double time,
                                   const std::vector<Body<dim>> &bodies)
   {
-    const bool is_first = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
+    const bool is_first = parallel::rank(communicator) == 0;
     vtkNew<vtkAppendPolyData> all;
     for (std::size_t b = 0; b < bodies.size(); ++b)
       {
@@ -141,21 +141,18 @@ namespace magmpm
 
     const std::string file = frame_name(series.name(), frame) + ".vtp";
     const std::string path = series.folder() + "/" + file;
-    int is_written         = 1;
-    if (is_first)
-      {
-        vtkSmartPointer<vtkPolyData> surface = vtkSmartPointer<vtkPolyData>::New();
-        surface->SetPoints(vtkNew<vtkPoints>()); // none, but readers want to see them
-        if (all->GetNumberOfInputConnections(0) > 0)
-          {
-            all->Update();
-            surface = all->GetOutput();
-          }
-        is_written = write(surface, path);
-      }
-    if (dealii::Utilities::MPI::min(is_written, communicator) == 0)
-      throw RunError("The surface '" + path +
-                     "' cannot be written. Is the disk full, or the output directory gone?");
+    parallel::on_first_rank(communicator, [&]() {
+      vtkSmartPointer<vtkPolyData> surface = vtkSmartPointer<vtkPolyData>::New();
+      surface->SetPoints(vtkNew<vtkPoints>()); // none, but readers want to see them
+      if (all->GetNumberOfInputConnections(0) > 0)
+        {
+          all->Update();
+          surface = all->GetOutput();
+        }
+      if (!write(surface, path))
+        throw RunError("The surface '" + path +
+                       "' cannot be written. Is the disk full, or the output directory gone?");
+    });
     series.add(time, file);
   }
 

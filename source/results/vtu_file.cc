@@ -1,9 +1,14 @@
 #include <magmpm/base/exceptions.h>
+#include <magmpm/parallel/exchange.h>
+#include <magmpm/parallel/gather.h>
+#include <magmpm/parallel/reduce.h>
+#include <magmpm/parallel/together.h>
 #include <magmpm/results/frame_series.h>
 #include <magmpm/results/vtu_file.h>
 
-#include <deal.II/base/mpi.h>
+#include <mpi.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <fstream>
 #include <numeric>
@@ -149,8 +154,15 @@ namespace magmpm
       {
         if (!is_open || n_bytes == 0)
           return;
-        const auto type = dealii::Utilities::MPI::create_mpi_data_type_n_bytes(n_bytes);
-        succeeded(MPI_File_write_at(file, begin, data, 1, *type, MPI_STATUS_IGNORE));
+        // In pieces, since MPI counts in int.
+        for (std::size_t done = 0; done < n_bytes; done += parallel::largest_message)
+          succeeded(
+            MPI_File_write_at(file,
+                              static_cast<MPI_Offset>(begin + done),
+                              static_cast<const char *>(data) + done,
+                              static_cast<int>(std::min(parallel::largest_message, n_bytes - done)),
+                              MPI_BYTE,
+                              MPI_STATUS_IGNORE));
       }
 
       /** Collective. */
@@ -159,7 +171,7 @@ namespace magmpm
       {
         if (is_open)
           succeeded(MPI_File_close(&file));
-        if (dealii::Utilities::MPI::max(static_cast<int>(has_failed), communicator) > 0)
+        if (parallel::any(has_failed, communicator))
           throw RunError("The file '" + path +
                          "' cannot be written. Is the disk full, or the output directory gone?");
       }
@@ -207,18 +219,16 @@ namespace magmpm
   {
     const std::string stem  = frame_name(series, frame.number);
     const std::string name  = stem + ".0.vtu";
-    const unsigned int rank = dealii::Utilities::MPI::this_mpi_process(communicator);
+    const unsigned int rank = parallel::rank(communicator);
 
     const AppendedPiece appended(piece);
     const std::uint64_t n_bytes        = appended.data().size();
-    const std::uint64_t n_bytes_of_all = dealii::Utilities::MPI::sum(n_bytes, communicator);
+    const std::uint64_t n_bytes_of_all = parallel::sum(n_bytes, communicator);
     std::uint64_t begin                = 0; // stays what it is on rank 0
     MPI_Exscan(&n_bytes, &begin, 1, MPI_UINT64_T, MPI_SUM, communicator);
-    const std::vector<std::string> pieces = dealii::Utilities::MPI::gather(communicator,
-                                                                           appended.xml(begin));
+    const std::vector<std::string> pieces = parallel::gather(appended.xml(begin), communicator);
     const std::string start               = (rank == 0 ? file_start(frame, pieces) : "");
-    const std::uint64_t start_size =
-      dealii::Utilities::MPI::broadcast(communicator, start.size(), 0);
+    const std::uint64_t start_size        = parallel::broadcast(start.size(), communicator);
 
     SharedFile file(communicator, folder + '/' + name);
     file.write(start_size + begin, appended.data().data(), n_bytes);
@@ -230,10 +240,11 @@ namespace magmpm
     file.finish();
 
     const std::string record = stem + ".pvtu";
-    const bool is_written    = rank != 0 || write_pvtu(folder + '/' + record, name, piece);
-    if (dealii::Utilities::MPI::min(static_cast<int>(is_written), communicator) == 0)
-      throw RunError("The file '" + folder + '/' + record +
-                     "' cannot be written. Is the disk full?");
+    parallel::on_first_rank(communicator, [&]() {
+      if (!write_pvtu(folder + '/' + record, name, piece))
+        throw RunError("The file '" + folder + '/' + record +
+                       "' cannot be written. Is the disk full?");
+    });
     return record;
   }
 } // namespace magmpm

@@ -1,4 +1,3 @@
-#include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
 
 #include <magmpm/base/exceptions.h>
@@ -100,7 +99,7 @@ namespace magmpm
     std::string
     particle_file(const std::string &folder, const unsigned int rank)
     {
-      return folder + "/particles-" + dealii::Utilities::int_to_string(rank, 5) + ".bin";
+      return folder + "/particles-" + with_digits(rank, 5) + ".bin";
     }
 
     /** The part of a checkpoint that is the same on all ranks, and the number of files beside it. */
@@ -119,25 +118,6 @@ namespace magmpm
         archive &checkpoint.run;
       }
     };
-
-    /** Does what may fail on some ranks only; all throw if one does. Collective. */
-    template <typename Action>
-    void
-    together(const MPI_Comm communicator, const std::string &what, const Action &action)
-    {
-      std::string error;
-      try
-        {
-          action();
-        }
-      catch (const std::exception &exception)
-        {
-          error = exception.what();
-        }
-      for (const std::string &other : dealii::Utilities::MPI::all_gather(communicator, error))
-        if (!other.empty())
-          throw RunError(what + ": " + other + ".");
-    }
   } // namespace
 
   CheckpointFolder::CheckpointFolder(const MPI_Comm communicator,
@@ -166,16 +146,16 @@ namespace magmpm
     const std::string path = folder + "/" + name;
     const std::string what = "the checkpoint '" + path + "' was not written";
     // What is resumed from is never written over.
-    if (dealii::Utilities::MPI::broadcast(communicator, latest(), 0) == path)
+    if (parallel::broadcast(latest(), communicator) == path)
       return;
 
-    together(communicator, what, [&]() {
+    parallel::together(communicator, what, [&]() {
       if (rank > 0)
         return;
       fs::remove_all(path);
       fs::create_directories(path);
     });
-    together(communicator, what, [&]() {
+    parallel::together(communicator, what, [&]() {
       write_file(particle_file(path, rank), dealii::Utilities::pack(checkpoint.particles, false));
       if (rank > 0)
         return;
@@ -187,7 +167,7 @@ namespace magmpm
       write_file(path + "/run.bin", dealii::Utilities::pack(common, false));
       bring_to_disk(path);
     });
-    together(communicator, what, [&]() {
+    parallel::together(communicator, what, [&]() {
       if (rank > 0)
         return;
       const std::string unfinished = folder + "/latest.unfinished";
@@ -215,12 +195,12 @@ namespace magmpm
   Checkpoint
   CheckpointFolder::read() const
   {
-    const std::string path = dealii::Utilities::MPI::broadcast(communicator, latest(), 0);
+    const std::string path = parallel::broadcast(latest(), communicator);
     if (path.empty())
       throw InputError("there is nothing to resume: '" + folder +
                        "/latest' does not exist or is empty. Start the run without --resume.");
     CommonPart common;
-    together(
+    parallel::together(
       communicator,
       "the checkpoint '" + path + "' cannot be read (the ones beside it may be good: write the " +
         "name of another one into '" + folder + "/latest')",

@@ -1,6 +1,6 @@
 #include <magmpm/base/exceptions.h>
-#include <magmpm/simulation/command_line.h>
 #include <magmpm/parameters/parameter_names.h>
+#include <magmpm/simulation/command_line.h>
 
 #include <map>
 

@@ -1,9 +1,9 @@
-#include <deal.II/base/mpi.h>
-
-#include <magmpm/simulation/domain_decomposition.h>
 #include <magmpm/base/number_text.h>
+#include <magmpm/parallel/gather.h>
+#include <magmpm/parallel/reduce.h>
 #include <magmpm/particles/box_faces.h>
 #include <magmpm/particles/particle_migration.h>
+#include <magmpm/simulation/domain_decomposition.h>
 
 #include <algorithm>
 #include <sstream>
@@ -66,17 +66,16 @@ namespace magmpm
           first_lost = describe(departed.front(), body.name);
         n_lost += departed.size();
       }
-    n_lost = dealii::Utilities::MPI::sum(n_lost, communicator);
+    n_lost = parallel::sum(n_lost, communicator);
     if (n_lost > 0)
-      for (const std::string &text : dealii::Utilities::MPI::all_gather(communicator, first_lost))
+      for (const std::string &text : parallel::all_gather(first_lost, communicator))
         if (first_lost.empty())
           first_lost = text;
 
     const OccupiedBlocks<dim> occupied = occupied_blocks(bodies, lattice, has_force);
     Regrouping done;
     done.mesh = background_mesh.adapt(occupied.blocks, occupied.n_particles, blocks_ahead(bodies));
-    done.n_migrated = dealii::Utilities::MPI::sum(migrate_to_owners(occupied, bodies),
-                                                  communicator);
+    done.n_migrated = parallel::sum(migrate_to_owners(occupied, bodies), communicator);
     block_partition.rebuild(occupied_blocks(bodies, lattice, has_force).blocks);
     for (Body<dim> &body : bodies)
       sort_into_blocks(blocks(), lattice, body);
@@ -93,7 +92,7 @@ namespace magmpm
     for (const Body<dim> &body : bodies)
       for (std::size_t p = 0; p < body.particles.size(); ++p)
         speed = std::max(speed, norm(body.particles.vector(ParticleProperty::velocity, p)));
-    speed = dealii::Utilities::MPI::max(speed, communicator);
+    speed = parallel::max(speed, communicator);
     if (speed == 0.)
       return {};
     return approached_blocks<dim>(

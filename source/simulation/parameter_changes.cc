@@ -1,6 +1,6 @@
 #include <magmpm/base/exceptions.h>
-#include <magmpm/simulation/parameter_changes.h>
 #include <magmpm/parameters/parameter_file.h>
+#include <magmpm/simulation/parameter_changes.h>
 
 #include <map>
 #include <set>

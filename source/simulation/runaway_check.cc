@@ -1,6 +1,5 @@
-#include <deal.II/base/mpi.h>
-
 #include <magmpm/base/number_text.h>
+#include <magmpm/parallel/gather.h>
 #include <magmpm/particles/particle_quantities.h>
 #include <magmpm/simulation/runaway_check.h>
 
@@ -91,8 +90,8 @@ namespace magmpm
         const Runaway worst = worst_particle(bodies[b], limits, max_speed);
         const std::string description =
           (worst.excess < 0. ? "" : describe(bodies[b], worst.particle, limits, max_speed, state));
-        const auto excesses     = dealii::Utilities::MPI::all_gather(communicator, worst.excess);
-        const auto descriptions = dealii::Utilities::MPI::all_gather(communicator, description);
+        const auto excesses     = parallel::all_gather(worst.excess, communicator);
+        const auto descriptions = parallel::all_gather(description, communicator);
         const auto rank = std::max_element(excesses.begin(), excesses.end()) - excesses.begin();
         throw RunError(descriptions[rank]);
       }

@@ -1,16 +1,13 @@
-#include <deal.II/base/mpi.h>
-#include <deal.II/base/timer.h>
-#include <deal.II/base/utilities.h>
-
-#include <magmpm/coupling/artificial_attraction.h>
-#include <magmpm/base/version.h>
-#include <magmpm/coupling/fluid_density.h>
 #include <magmpm/base/number_text.h>
-#include <magmpm/simulation/parameter_changes.h>
-#include <magmpm/coupling/magnetic_coupling.h>
-#include <magmpm/simulation/particle_reductions.h>
+#include <magmpm/base/version.h>
+#include <magmpm/coupling/artificial_attraction.h>
 #include <magmpm/coupling/carried_force.h>
+#include <magmpm/coupling/fluid_density.h>
+#include <magmpm/coupling/magnetic_coupling.h>
+#include <magmpm/parallel/reduce.h>
 #include <magmpm/particles/seeding.h>
+#include <magmpm/simulation/parameter_changes.h>
+#include <magmpm/simulation/particle_reductions.h>
 #include <magmpm/simulation/simulation.h>
 
 #include <algorithm>
@@ -60,18 +57,13 @@ namespace magmpm
     , communicator(communicator)
     , resumed(run_record_of(checkpoint))
     , results(parameters, phases, communicator, resumed ? &resumed->progress : nullptr)
-    , timer(std::make_unique<dealii::TimerOutput>(results.log().stream(),
-                                                  dealii::TimerOutput::never,
-                                                  dealii::TimerOutput::wall_times))
     , external_field(parameters.sources)
     , rigid_bodies(this->parameters, external_field, communicator)
     , open(open_faces(parameters.walls))
     , time_step_control(parameters.time_step, parameters.lattice.spacing)
     , rest(parameters.rest)
     , checkpoints(communicator, parameters.output.directory, parameters.checkpoint.n_kept)
-    , control(parameters.checkpoint,
-              parameters.output.directory,
-              dealii::Utilities::MPI::this_mpi_process(communicator))
+    , control(parameters.checkpoint, parameters.output.directory, parallel::rank(communicator))
     , attraction(parameters.attraction)
   {
     for (const BodyParameters<dim> &body : parameters.bodies)
@@ -118,7 +110,7 @@ namespace magmpm
         results.log().failure(exception.what());
         throw;
       }
-    timer->print_wall_time_statistics(communicator);
+    timer.print(communicator, results.log().stream());
     if (is_stopped())
       results.log().message("stopped by " + RunControl::reason(request) +
                             "; go on with: magmpm --resume, and the same parameter file");
@@ -210,7 +202,7 @@ namespace magmpm
     decomposition = std::make_unique<DomainDecomposition<dim>>(parameters, communicator);
     if (parameters.mesh.carries_potential && !(attraction.matches_magnets && state.attraction > 0.))
       magnetics = std::make_unique<MagneticCoupling<dim>>(
-        parameters, *decomposition, external_field, *timer, communicator);
+        parameters, *decomposition, external_field, timer, communicator);
     // Where particles are when a run begins or is resumed is no migration, and no change of the mesh.
     const std::size_t n_migrated = state.migrated_particles;
     const unsigned int n_changes = state.mesh_changes;
@@ -223,13 +215,13 @@ namespace magmpm
   void
   Simulation<dim>::seed_bodies()
   {
-    const unsigned int rank    = dealii::Utilities::MPI::this_mpi_process(communicator);
-    const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
+    const unsigned int rank    = parallel::rank(communicator);
+    const unsigned int n_ranks = parallel::n_ranks(communicator);
     for (unsigned int b = 0; b < bodies.size(); ++b)
       {
         const BodyParameters<dim> &body = parameters.bodies[b];
         seed_particles(body, parameters.lattice, b, rank, n_ranks, bodies[b]);
-        if (dealii::Utilities::MPI::sum(bodies[b].particles.size(), communicator) == 0)
+        if (parallel::sum(bodies[b].particles.size(), communicator) == 0)
           throw InputError("body '" + body.name +
                            "' holds no particle: it is smaller than the distance between "
                            "particles. Make it larger, or 'Box/Cell size' smaller.");
@@ -270,7 +262,7 @@ namespace magmpm
   void
   Simulation<dim>::regroup_particles()
   {
-    dealii::TimerOutput::Scope timed(*timer, "Sort and migrate");
+    const parallel::PhaseTimer::Scope timed(timer, "Sort and migrate");
     const auto regrouping = decomposition->regroup(bodies);
     if (regrouping.n_lost > 0)
       {
@@ -296,7 +288,7 @@ namespace magmpm
   {
     if (!has_fluid(bodies) || state.step % relaxation_period != 0)
       return;
-    dealii::TimerOutput::Scope timed(*timer, "Relax density");
+    const parallel::PhaseTimer::Scope timed(timer, "Relax density");
     // P2G fills the lattice field anew after this.
     state.density_error = relax_density(relaxation_period * state.time_step,
                                         decomposition->partition(),
@@ -332,7 +324,7 @@ namespace magmpm
     double largest = 0.;
     for (Body<dim> &body : bodies)
       largest = std::max(largest, attract(attraction, state.time_step, body));
-    step_conditions.attraction = dealii::Utilities::MPI::max(largest, communicator);
+    step_conditions.attraction = parallel::max(largest, communicator);
   }
 
   template <int dim>
@@ -356,7 +348,7 @@ namespace magmpm
     magnetics->advance_force(bodies, state);
     if (!magnetics->is_due(bodies, state))
       return;
-    dealii::TimerOutput::Scope timed(*timer, "Solve potential");
+    const parallel::PhaseTimer::Scope timed(timer, "Solve potential");
     magnetics->solve(bodies, state); // Eqs. (25)-(33)
     state.rigid_bodies_at_solve         = rigid_bodies.bodies().record();
     step_conditions.magnetic_wave_speed = 0.;
@@ -374,7 +366,7 @@ namespace magmpm
   void
   Simulation<dim>::transfer_to_lattice()
   {
-    dealii::TimerOutput::Scope timed(*timer, "P2G");
+    const parallel::PhaseTimer::Scope timed(timer, "P2G");
     particles_to_lattice(
       bodies, decomposition->blocks(), parameters.lattice, state.time_step, lattice_field);
     decomposition->partition().add_ghosts_to_owners(lattice_field);
@@ -384,7 +376,7 @@ namespace magmpm
   void
   Simulation<dim>::update_lattice()
   {
-    dealii::TimerOutput::Scope timed(*timer, "Update lattice");
+    const parallel::PhaseTimer::Scope timed(timer, "Update lattice");
     rigid_bodies.update_lattice(
       decomposition->blocks(), typical_particle_mass, state, lattice_field);
     decomposition->partition().update_ghosts(lattice_field);
@@ -394,7 +386,7 @@ namespace magmpm
   void
   Simulation<dim>::transfer_to_particles()
   {
-    dealii::TimerOutput::Scope timed(*timer, "G2P");
+    const parallel::PhaseTimer::Scope timed(timer, "G2P");
     std::vector<ParticleExtremes> extremes = lattice_to_particles(
       lattice_field, decomposition->blocks(), parameters.lattice, state.time_step, bodies);
     drift_since_sort += rigid_bodies.hold_particles(decomposition->blocks(), open, bodies, state);
@@ -436,7 +428,7 @@ namespace magmpm
   void
   Simulation<dim>::write_frame()
   {
-    dealii::TimerOutput::Scope timed(*timer, "Output");
+    const parallel::PhaseTimer::Scope timed(timer, "Output");
     if (state.frame > 0)
       results.report_frame(state);
     results.write_particles(state, bodies);
@@ -459,19 +451,16 @@ namespace magmpm
   void
   Simulation<dim>::write_statistics()
   {
-    dealii::TimerOutput::Scope timed(*timer, "Statistics");
+    const parallel::PhaseTimer::Scope timed(timer, "Statistics");
     double n_particles = 0.;
     for (const Body<dim> &body : bodies)
       n_particles += static_cast<double>(body.particles.size());
     if (magnetics != nullptr)
       magnetics->update_reactions(state);
-    if (!rigid_bodies.bodies().all().empty())
-      state.deepest_penetration = dealii::Utilities::MPI::max(state.deepest_penetration,
-                                                              communicator);
     results.write_statistics(state,
                              sums_over_ranks(bodies, parameters, communicator),
-                             dealii::Utilities::MPI::min(n_particles, communicator),
-                             timer->get_summary_data(dealii::TimerOutput::total_wall_time),
+                             parallel::min(n_particles, communicator),
+                             timer.seconds(),
                              rigid_bodies.bodies(),
                              rigid_bodies.forces_on_magnets(state));
     state.deepest_penetration = 0.;
@@ -481,13 +470,13 @@ namespace magmpm
   void
   Simulation<dim>::write_checkpoint()
   {
-    dealii::TimerOutput::Scope timed(*timer, "Checkpoint");
+    const parallel::PhaseTimer::Scope timed(timer, "Checkpoint");
     // The run goes on as a run resumed from here will.
     set_up_decomposition();
     const RunRecord record = {state, step_conditions, results.progress()};
     try
       {
-        checkpoints.write("step-" + dealii::Utilities::int_to_string(state.step, 10),
+        checkpoints.write("step-" + with_digits(state.step, 10),
                           make_checkpoint(record, parameters.complete_text, bodies));
       }
     catch (const RunError &error)

@@ -1,4 +1,4 @@
-#include <deal.II/base/mpi.h>
+#include <magmpm/parallel/reduce.h>
 
 #include <magmpm/lattice/bspline.h>
 #include <magmpm/particles/particle_quantities.h>
@@ -30,7 +30,7 @@ namespace magmpm
               corners[dim + d] = std::min(corners[dim + d], -(base[d] + stencil_width));
             }
         }
-      dealii::Utilities::MPI::min(std::vector<int>(corners), communicator, corners);
+      corners = parallel::min(corners, communicator);
       if (corners[0] == std::numeric_limits<int>::max())
         return;
       for (int d = 0; d < dim; ++d)
@@ -86,7 +86,7 @@ namespace magmpm
           }
       }
 
-    const bool is_first = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
+    const bool is_first = parallel::rank(communicator) == 0;
     MPI_Reduce(is_first ? MPI_IN_PLACE : fraction.values.data(),
                fraction.values.data(),
                static_cast<int>(n_nodes),

@@ -35,7 +35,7 @@ TEMPLATE_TEST_CASE_SIG("Force without mass is handed inward",
 
   for (int d = 0; d < dim; ++d)
     {
-      const double all_dropped = dealii::Utilities::MPI::sum(dropped[d], MPI_COMM_WORLD);
+      const double all_dropped = parallel::sum(dropped[d], MPI_COMM_WORLD);
       CHECK(all_dropped > 0.);
       CHECK(scene.sum(force, d) + all_dropped == Approx(before[d]).epsilon(1e-13));
     }
@@ -59,8 +59,8 @@ TEMPLATE_TEST_CASE_SIG("Force without mass is handed inward",
       force.node(slot, node)[0] = 1.;
   });
   const double given = scene.sum(force, 0);
-  const double lost  = dealii::Utilities::MPI::sum(
-    hand_force_inward<dim>(scene.partition, scene.mass, force)[0], MPI_COMM_WORLD);
+  const double lost  = parallel::sum(hand_force_inward<dim>(scene.partition, scene.mass, force)[0],
+                                    MPI_COMM_WORLD);
   CHECK(given > 0.);
   CHECK(scene.sum(force, 0) + lost == Approx(given).epsilon(1e-13));
   scene.for_owned_nodes([&](const int slot, const int node, const Vector<dim> &x) {

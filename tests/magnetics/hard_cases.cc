@@ -5,8 +5,8 @@
 #include "scene.h"
 
 #include <magmpm/base/constants.h>
-#include <magmpm/magnetics/material_points.h>
 #include <magmpm/elliptic/potential_space.h>
+#include <magmpm/magnetics/material_points.h>
 
 #include <cmath>
 #include <random>
@@ -61,7 +61,7 @@ namespace
     for (const MaterialSample<dim> &sample : scene.problem.material_samples())
       sum += sample.weight * sample.magnetization;
     for (double &component : sum.values)
-      component = dealii::Utilities::MPI::sum(component, MPI_COMM_WORLD);
+      component = parallel::sum(component, MPI_COMM_WORLD);
     return sum;
   }
 
@@ -161,13 +161,13 @@ TEMPLATE_TEST_CASE_SIG("The field may be zero at a point",
       saturated += sample.weight * norm(sample.magnetization);
     }
   const Force<dim> force = force_on_nodes(scene, null);
-  const double total     = dealii::Utilities::MPI::sum(saturated, MPI_COMM_WORLD);
+  const double total     = parallel::sum(saturated, MPI_COMM_WORLD);
   print_once("null point, %dD: Newton %d, moment %.1e of int |M|, force %.1e of the sum of |f|",
              dim,
              report.newton.steps,
              norm(moment(scene)) / total,
              norm(force.total) / force.absolute);
-  CHECK(dealii::Utilities::MPI::min(smallest, MPI_COMM_WORLD) < 1e-9);
+  CHECK(parallel::min(smallest, MPI_COMM_WORLD) < 1e-9);
   CHECK(report.newton.steps <= 6);
   CHECK(norm(moment(scene)) < 1e-3 * total);
   CHECK(norm(force.total) < 1e-3 * force.absolute);
@@ -470,7 +470,7 @@ TEMPLATE_TEST_CASE_SIG("Magnets may be driven through material",
           for (const MaterialSample<dim> &sample : scene.problem.material_samples())
             if (norm(sample.position - centre) < 3. * spacing)
               inside += sample.weight * norm(sample.magnetization);
-          inside = dealii::Utilities::MPI::sum(inside, MPI_COMM_WORLD);
+          inside = parallel::sum(inside, MPI_COMM_WORLD);
           if (contact == ContactCondition::slip)
             CHECK(inside == 0.);
           else if (z > 9. && z < 15.)

@@ -1,5 +1,3 @@
-#include <deal.II/base/mpi.h>
-
 #include "catch.h"
 #include "scene.h"
 
@@ -230,7 +228,7 @@ TEMPLATE_TEST_CASE_SIG("A layer between mirrors does not feel them",
     for (int d = 0; d < dim - 1; ++d)
       across = std::max(across, std::abs(f[d]) / mass);
   });
-  largest = dealii::Utilities::MPI::max(largest, MPI_COMM_WORLD);
+  largest = parallel::max(largest, MPI_COMM_WORLD);
   REQUIRE(largest > 0.);
   CHECK(across < 1e-9 * largest);
   for (const auto &row : rows)

@@ -83,7 +83,7 @@ namespace
                           nullptr;
           n += n_material > 0 && n_material < n_lanes;
         }
-      return dealii::Utilities::MPI::sum(n, MPI_COMM_WORLD);
+      return parallel::sum(n, MPI_COMM_WORLD);
     }
 
     static Vector<dim>
@@ -124,7 +124,7 @@ TEMPLATE_TEST_CASE_SIG("The matrix-free Jacobian is the assembled matrix",
 
   // What SIMD lanes can get wrong is there: lanes that differ, and hanging nodes.
   CHECK(test.n_mixed_batches() >= (CellLanes<double>::size() > 1 ? 1 : 0));
-  CHECK(dealii::Utilities::MPI::sum(test.space->constraints.n_constraints(), MPI_COMM_WORLD) > 0);
+  CHECK(parallel::sum(test.space->constraints.n_constraints(), MPI_COMM_WORLD) > 0);
 
   MLPreconditioner<dim> assembled(*test.space);
   assembled.rebuild(
@@ -200,7 +200,7 @@ TEMPLATE_TEST_CASE_SIG("The matrix-free diagonal is that of the matrix",
   for (const auto i : inverse.locally_owned_elements())
     if (!test.space->constraints.is_constrained(i))
       error = std::max(error, std::abs(inverse(i) * assembled.matrix().diag_element(i) - 1.));
-  CHECK(dealii::Utilities::MPI::max(error, MPI_COMM_WORLD) < 1e-12);
+  CHECK(parallel::max(error, MPI_COMM_WORLD) < 1e-12);
 }
 
 namespace
@@ -278,7 +278,7 @@ TEMPLATE_TEST_CASE_SIG("Diagonal and edge of a level are those of its operator",
           if (is_mine)
             error = std::max(error, std::abs(product(i) * inverse(i) - 1.));
         }
-      CHECK(dealii::Utilities::MPI::max(error, MPI_COMM_WORLD) < 1e-13);
+      CHECK(parallel::max(error, MPI_COMM_WORLD) < 1e-13);
 
       using Base = dealii::MatrixFreeOperators::Base<dim, PotentialVector, CellLanes<double>>;
       PotentialVector of_all_cells(product);

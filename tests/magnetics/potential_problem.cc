@@ -223,7 +223,7 @@ TEST_CASE("Each mesh has its own exchange pattern", "[magnetics][mpi]")
   fresh.set_bodies(discs(24.));
   const SolveReport report   = moved.problem.solve(moved.content, sources);
   const SolveReport expected = fresh.problem.solve(fresh.content, sources);
-  if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 2)
+  if (parallel::n_ranks(MPI_COMM_WORLD) == 2)
     REQUIRE(n_own(moved) == n_before); // else this test would test nothing
   CHECK(report.energy == Approx(expected.energy).epsilon(1e-11));
   NodeField<2> force, expected_force;

@@ -3,10 +3,8 @@
 #include <magmpm/lattice/bspline.h>
 #include <magmpm/magnetics/potential_problem.h>
 #include <magmpm/materials/magnetization.h>
-
-#include <deal.II/base/conditional_ostream.h>
-#include <deal.II/base/mpi.h>
-#include <deal.II/base/timer.h>
+#include <magmpm/parallel/phase_timer.h>
+#include <magmpm/parallel/reduce.h>
 
 #include <cstdio>
 #include <functional>
@@ -87,8 +85,6 @@ namespace magmpm::test
       : lattice(make_lattice(n_cells, spacing))
       , mesh(MPI_COMM_WORLD, lattice, make_mesh_parameters(factor, shielded, cell_edge))
       , partition(mesh)
-      , silent(std::cout, false)
-      , timer(silent, dealii::TimerOutput::never, dealii::TimerOutput::wall_times)
       , problem(mesh, partition, with_shields(magnetics, shielded), timer)
     {
     }
@@ -104,8 +100,7 @@ namespace magmpm::test
     const Lattice<dim> lattice;
     BackgroundMesh<dim> mesh;
     BlockPartition<dim> partition;
-    dealii::ConditionalOStream silent;
-    dealii::TimerOutput timer;
+    parallel::PhaseTimer timer;
     PotentialProblem<dim> problem;
     NodeField<dim> content; ///< {v, density of M_s, density of chi_0, 1}
     NodeField<dim> mass;    ///< lane 3: v dx^dim, as of density 1
@@ -123,7 +118,7 @@ namespace magmpm::test
       for_owned_nodes([&](const int slot, const int node, const Vector<dim> &position) {
         result += weight(position) * field.node(slot, node)[lane];
       });
-      return dealii::Utilities::MPI::sum(result, MPI_COMM_WORLD);
+      return parallel::sum(result, MPI_COMM_WORLD);
     }
 
     template <typename Action>
@@ -250,8 +245,8 @@ namespace magmpm::test
   {
     // Every rank knows all samples, tells the mesh of its share, and scatters those it owns.
     const std::vector<Index<dim>> &blocks = samples.blocks;
-    const unsigned int rank    = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
-    const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+    const unsigned int rank               = parallel::rank(MPI_COMM_WORLD);
+    const unsigned int n_ranks            = parallel::n_ranks(MPI_COMM_WORLD);
     std::vector<Index<dim>> share;
     for (std::size_t b = rank; b < blocks.size(); b += n_ranks)
       share.push_back(blocks[b]);
@@ -314,7 +309,7 @@ namespace magmpm::test
   void
   print_once(const char *format, const Numbers... numbers)
   {
-    if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    if (parallel::rank(MPI_COMM_WORLD) == 0)
       {
         std::printf(format, numbers...);
         std::printf("\n");
@@ -360,9 +355,7 @@ namespace magmpm::test
       result.torque += cross(x - centre, f);
       result.absolute += norm(f);
     });
-    const auto sum = [](double &value) {
-      value = dealii::Utilities::MPI::sum(value, MPI_COMM_WORLD);
-    };
+    const auto sum = [](double &value) { value = parallel::sum(value, MPI_COMM_WORLD); };
     for (double &component : result.total.values)
       sum(component);
     for (double &component : result.torque.values)

@@ -53,7 +53,7 @@ namespace magmpm::test
     const SolveReport report =
       scene.problem.solve(scene.content, ExternalField<dim>({uniform_source<dim>(field)}));
 
-    auto seconds = scene.timer.get_summary_data(dealii::TimerOutput::total_wall_time);
+    auto seconds = scene.timer.seconds();
     return {report.newton,
             report.n_unknowns,
             seconds["Set up potential"] + seconds["Solve potential: Jacobian"] +

@@ -72,8 +72,7 @@ namespace
             count += 1.;
           }
       });
-      return dealii::Utilities::MPI::sum(sum, MPI_COMM_WORLD) /
-             dealii::Utilities::MPI::sum(count, MPI_COMM_WORLD);
+      return parallel::sum(sum, MPI_COMM_WORLD) / parallel::sum(count, MPI_COMM_WORLD);
     }
 
     /** Dipole moment over the exact one, linear law: U = -mu_0/2 m.H_0. */
@@ -256,8 +255,8 @@ TEMPLATE_TEST_CASE_SIG("Shielded faces are mirrors", "[magnetics][mpi]", ((int d
         highest = std::max(highest, inner.node(slot, node)[0]);
       }
   });
-  lowest             = dealii::Utilities::MPI::min(lowest, MPI_COMM_WORLD);
-  highest            = dealii::Utilities::MPI::max(highest, MPI_COMM_WORLD);
+  lowest             = parallel::min(lowest, MPI_COMM_WORLD);
+  highest            = parallel::max(highest, MPI_COMM_WORLD);
   const double exact = 1e5 / (dim == 2 ? 2. : 1.5);
   print_once("from mirror to mirror, %dD: error of H from %.1e to %.1e",
              dim,

@@ -1,6 +1,8 @@
 #include <deal.II/distributed/tria.h>
 
 #include <magmpm/mesh/background_mesh.h>
+#include <magmpm/parallel/gather.h>
+#include <magmpm/parallel/reduce.h>
 
 #include "catch.h"
 #include "scattered_blocks.h"
@@ -101,7 +103,7 @@ namespace
           mine.push_back(static_cast<int>(std::lround(edge)));
         }
     std::map<Index<dim>, Cells<dim>> cells;
-    const auto all = dealii::Utilities::MPI::all_gather(MPI_COMM_WORLD, mine);
+    const auto all = parallel::all_gather(mine, MPI_COMM_WORLD);
     for (unsigned int rank = 0; rank < all.size(); ++rank)
       for (std::size_t i = 0; i < all[rank].size(); i += dim + 1)
         {
@@ -251,7 +253,7 @@ TEMPLATE_TEST_CASE_SIG("all ranks name the same owner of every block, also outsi
                                                             uniform_index<dim>(15));
   const std::vector<unsigned int> owners = mesh.owners(blocks);
   CHECK(*std::max_element(owners.begin(), owners.end()) < n_ranks());
-  const auto of_all_ranks = dealii::Utilities::MPI::all_gather(MPI_COMM_WORLD, owners);
+  const auto of_all_ranks = parallel::all_gather(owners, MPI_COMM_WORLD);
   for (const auto &of_rank : of_all_ranks)
     CHECK(of_rank == owners);
 
@@ -282,8 +284,8 @@ TEST_CASE("cells and particles are shared out evenly", "[mesh][mpi]")
       double work = 100. * 512. * owned_of<3>(body, mesh).size();
       if (carries_potential)
         work += 3000. * mesh.triangulation().n_locally_owned_active_cells();
-      const double most   = dealii::Utilities::MPI::max(work, MPI_COMM_WORLD);
-      const double sum    = dealii::Utilities::MPI::sum(work, MPI_COMM_WORLD);
+      const double most   = parallel::max(work, MPI_COMM_WORLD);
+      const double sum    = parallel::sum(work, MPI_COMM_WORLD);
       const double family = (carries_potential ? 8. * 3000. + 100. * 512. : 8. * 100. * 512.);
       CHECK(most <= sum / n_ranks() + family);
     }

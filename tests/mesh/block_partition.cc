@@ -1,5 +1,3 @@
-#include <deal.II/base/mpi.h>
-
 #include <magmpm/mesh/block_partition.h>
 
 #include "catch.h"
@@ -61,7 +59,7 @@ namespace
       }
     CHECK(n_wrong == 0);
     CHECK(held.size() == std::size_t(blocks.size()));
-    CHECK(dealii::Utilities::MPI::sum(owned.size(), MPI_COMM_WORLD) == active.size());
+    CHECK(parallel::sum(owned.size(), MPI_COMM_WORLD) == active.size());
 
     std::set<Index<dim>> needed = owned;
     for (const Index<dim> &block : owned)

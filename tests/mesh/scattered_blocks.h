@@ -1,8 +1,7 @@
 #pragma once
 
-#include <deal.II/base/mpi.h>
-
 #include <magmpm/lattice/block_set.h>
+#include <magmpm/parallel/ranks.h>
 
 #include <vector>
 
@@ -12,13 +11,13 @@ namespace magmpm::testing
   inline unsigned int
   this_rank()
   {
-    return dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
+    return parallel::rank(MPI_COMM_WORLD);
   }
 
   inline unsigned int
   n_ranks()
   {
-    return dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+    return parallel::n_ranks(MPI_COMM_WORLD);
   }
 
   template <int dim>

@@ -1,5 +1,4 @@
-#include <deal.II/base/mpi.h>
-
+#include <magmpm/parallel/gather.h>
 #include <magmpm/particles/particle_migration.h>
 
 #include "catch.h"
@@ -18,13 +17,13 @@ namespace
   unsigned int
   this_rank()
   {
-    return dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
+    return parallel::rank(MPI_COMM_WORLD);
   }
 
   unsigned int
   n_ranks()
   {
-    return dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+    return parallel::n_ranks(MPI_COMM_WORLD);
   }
 
   /** A number that belongs to one component of one particle alone, all digits used. */
@@ -70,7 +69,7 @@ namespace
   all_ids(const ParticleSet<dim> &particles)
   {
     std::vector<std::uint64_t> ids;
-    for (const auto &of_rank : dealii::Utilities::MPI::all_gather(MPI_COMM_WORLD, particles.ids()))
+    for (const auto &of_rank : parallel::all_gather(particles.ids(), MPI_COMM_WORLD))
       ids.insert(ids.end(), of_rank.begin(), of_rank.end());
     std::sort(ids.begin(), ids.end());
     return ids;

@@ -1,6 +1,5 @@
-#include <deal.II/base/mpi.templates.h>
-
 #include <magmpm/base/constants.h>
+#include <magmpm/parallel/reduce.h>
 #include <magmpm/particles/particle_sums.h>
 #include <magmpm/particles/seeding.h>
 
@@ -147,14 +146,10 @@ TEST_CASE("the sums of all ranks are those of one", "[particles][mpi]")
     seed_particles(parameters, lattice, 0, rank, n_ranks, body);
     return particle_sums(body, lattice, {{0., 0., -9.81}}, MagnetizationLaw::langevin);
   };
-  const ParticleSums<3> sums = dealii::Utilities::MPI::all_reduce<ParticleSums<3>>(
-    sums_of(dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD),
-            dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD)),
-    MPI_COMM_WORLD,
-    [](const ParticleSums<3> &one, const ParticleSums<3> &other) {
-      ParticleSums<3> both = one;
-      return both += other;
-    });
+  ParticleSums<3> sums = sums_of(parallel::rank(MPI_COMM_WORLD), parallel::n_ranks(MPI_COMM_WORLD));
+  parallel::Reduction reduction;
+  sums.for_each_member(reduction);
+  reduction.carry_out(MPI_COMM_WORLD);
   CHECK(sums.n_particles == 1000.);
   check_equal(sums, sums_of(0, 1));
 }

@@ -1,15 +1,15 @@
 // What a run says: the same words on the terminal and in log.txt, from one rank only.
 
-#include <deal.II/base/timer.h>
-
 #include <magmpm/base/exceptions.h>
+#include <magmpm/base/number_text.h>
 #include <magmpm/base/simd.h>
 #include <magmpm/base/version.h>
-#include <magmpm/base/number_text.h>
+#include <magmpm/parallel/phase_timer.h>
+#include <magmpm/parallel/ranks.h>
 #include <magmpm/results/run_log.h>
 
-#include "catch.h"
 #include "../test_folder.h"
+#include "catch.h"
 
 #include <iostream>
 #include <sstream>
@@ -98,7 +98,7 @@ TEST_CASE("terminal and log.txt hold the same header, from rank 0 alone", "[resu
     CHECK(terminal.str().empty());
   else
     {
-      const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+      const unsigned int n_ranks = parallel::n_ranks(MPI_COMM_WORLD);
       const std::string expected =
         "  3D, lattice dx = 7.81 mm, 110,592 particles, 44,909 potential unknowns, 412 MB" +
         std::string(n_ranks > 1 ? ", load imbalance 1.13\n" : "\n") +
@@ -177,17 +177,17 @@ TEST_CASE("warnings stand out and failures are kept in log.txt", "[results]")
 
 TEST_CASE("the timing table goes to terminal and log.txt", "[results][mpi]")
 {
-  // deal.II prints its table on all ranks together into the log's stream: one table must come out,
+  // All ranks together print the table into the log's stream: one table must come out,
   // on both ends, and none from the ranks that are silent.
   const std::string folder = testing::fresh_folder("run_log-timing");
   std::ostringstream terminal;
   {
     RunLog log(MPI_COMM_WORLD, folder, 1, 1., terminal);
-    dealii::TimerOutput timer(
-      log.stream(), dealii::TimerOutput::never, dealii::TimerOutput::wall_times);
-    timer.enter_subsection("P2G");
-    timer.leave_subsection();
-    timer.print_wall_time_statistics(MPI_COMM_WORLD);
+    parallel::PhaseTimer timer;
+    {
+      const parallel::PhaseTimer::Scope scope(timer, "P2G");
+    }
+    timer.print(MPI_COMM_WORLD, log.stream());
     log.end();
   }
   if (testing::this_rank() > 0)

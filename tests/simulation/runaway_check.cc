@@ -1,6 +1,5 @@
-#include <deal.II/base/mpi.h>
-
 #include <magmpm/base/exceptions.h>
+#include <magmpm/parallel/reduce.h>
 #include <magmpm/simulation/runaway_check.h>
 
 #include "catch.h"
@@ -25,7 +24,7 @@ namespace
     body.particles.resize(3);
     for (int p = 0; p < 3; ++p)
       {
-        body.particles.ids()[p] = 10 * dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) + p;
+        body.particles.ids()[p] = 10 * parallel::rank(MPI_COMM_WORLD) + p;
         body.particles.component(ParticleProperty::deformation, 0)[p] = 1.;
         body.particles.component(ParticleProperty::position, 0)[p]    = 0.25;
         body.particles.component(ParticleProperty::position, 1)[p]    = 0.5;
@@ -51,9 +50,7 @@ namespace
                                                   j > 0. ? 1. / j
                                                          : std::numeric_limits<double>::infinity());
           }
-        const auto largest = [](double &value) {
-          value = dealii::Utilities::MPI::max(value, MPI_COMM_WORLD);
-        };
+        const auto largest = [](double &value) { value = parallel::max(value, MPI_COMM_WORLD); };
         largest(e.speed);
         largest(e.max_volume_ratio);
         largest(e.max_inverse_volume_ratio);
@@ -80,8 +77,7 @@ namespace
   changed(const ParticleProperty quantity, const int particle, const double value)
   {
     Body<2> body = quiet_body();
-    if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) + 1 ==
-        dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD))
+    if (parallel::rank(MPI_COMM_WORLD) + 1 == parallel::n_ranks(MPI_COMM_WORLD))
       body.particles.component(quantity, 0)[particle] = value;
     return body;
   }
@@ -89,9 +85,7 @@ namespace
   std::string
   id_on_last_rank(const int particle)
   {
-    return "particle " +
-           std::to_string(10 * (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) - 1) +
-                          particle) +
+    return "particle " + std::to_string(10 * (parallel::n_ranks(MPI_COMM_WORLD) - 1) + particle) +
            " of body 'drop' ran away";
   }
 

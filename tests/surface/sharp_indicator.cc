@@ -1,9 +1,9 @@
 #include "catch.h"
 #include "scene.h"
 
+#include <magmpm/elliptic/potential_space.h>
 #include <magmpm/magnetics/material_points.h>
 #include <magmpm/mesh/node_filters.h>
-#include <magmpm/elliptic/potential_space.h>
 
 using namespace magmpm;
 using namespace magmpm::test;
@@ -45,7 +45,7 @@ namespace
             sum += points->weight(q) *
                    action(points->first_point(cell) + q,
                           points->cell_position(cell) + points->point_position(q));
-      return dealii::Utilities::MPI::sum(sum, MPI_COMM_WORLD);
+      return parallel::sum(sum, MPI_COMM_WORLD);
     }
 
     /** int q f, the volume of the medium; q shows in what the linear law multiplies. */
@@ -96,8 +96,8 @@ TEMPLATE_TEST_CASE_SIG("The medium has the volume of the particles",
         CAPTURE(dim, radius, cell_edge);
         CHECK(medium.volume() ==
               Approx(medium.sampled_volume()).epsilon(radius < 8. ? 1e-4 : 5e-6));
-        CHECK(dealii::Utilities::MPI::sum(medium.points->indicator().n_clipped_corrections(),
-                                          MPI_COMM_WORLD) == 0);
+        CHECK(parallel::sum(medium.points->indicator().n_clipped_corrections(), MPI_COMM_WORLD) ==
+              0);
       }
   Vector<dim> neighbour = test_sphere<dim>(3.).lower;
   const Medium<dim> touching(
@@ -220,7 +220,7 @@ TEMPLATE_TEST_CASE_SIG("The smoothing filter is symmetric and conservative",
     sums[1] += b[1];
   });
   for (double *figure : {&products[0], &products[1], &sums[0], &sums[1]})
-    *figure = dealii::Utilities::MPI::sum(*figure, MPI_COMM_WORLD);
+    *figure = parallel::sum(*figure, MPI_COMM_WORLD);
   CHECK(difference <= 1e-14);
   CHECK(products[0] == Approx(products[1]).epsilon(1e-10).margin(1e-8));
   CHECK(sums[0] == Approx(sums[1]).epsilon(1e-10).margin(1e-8));

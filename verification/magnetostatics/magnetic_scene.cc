@@ -1,6 +1,3 @@
-#include <deal.II/base/mpi.h>
-#include <deal.II/base/timer.h>
-
 #include <magmpm/particles/magnetic_transfer.h>
 #include <magmpm/particles/particle_grid_transfer.h>
 #include <magmpm/particles/particle_migration.h>
@@ -14,14 +11,6 @@ namespace magmpm::benchmarks
   namespace
   {
     constexpr double density = 1000.; ///< undeformed [kg/m^3]; no figure depends on it
-
-    std::unique_ptr<dealii::TimerOutput>
-    silent_timer()
-    {
-      static std::ostream silence(nullptr);
-      return std::make_unique<dealii::TimerOutput>(
-        silence, dealii::TimerOutput::never, dealii::TimerOutput::wall_times);
-    }
 
     template <int dim>
     BodyParameters<dim>
@@ -53,8 +42,7 @@ namespace magmpm::benchmarks
     , lattice(lattice)
     , mesh(communicator, lattice, mesh_parameters)
     , partition(mesh)
-    , timer(silent_timer())
-    , potential(mesh, partition, magnetics, *timer)
+    , potential(mesh, partition, magnetics, timer)
   {
   }
 
@@ -77,8 +65,8 @@ namespace magmpm::benchmarks
   {
     bodies.emplace_back(body_parameters<dim>(), elastic_material(point_body.magnetic));
     ParticleSet<dim> &particles = bodies.back().particles;
-    const std::size_t rank      = dealii::Utilities::MPI::this_mpi_process(communicator);
-    const std::size_t n_ranks   = dealii::Utilities::MPI::n_mpi_processes(communicator);
+    const std::size_t rank      = parallel::rank(communicator);
+    const std::size_t n_ranks   = parallel::n_ranks(communicator);
     const std::size_t n         = point_body.points.size();
     const double volume         = point_body.volume / n / determinant(point_body.deformation);
     for (std::size_t i = n * rank / n_ranks; i < n * (rank + 1) / n_ranks; ++i)

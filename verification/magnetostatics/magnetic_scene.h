@@ -4,6 +4,7 @@
 #include <magmpm/magnets/external_field.h>
 #include <magmpm/mesh/background_mesh.h>
 #include <magmpm/mesh/block_partition.h>
+#include <magmpm/parallel/phase_timer.h>
 #include <magmpm/particles/body.h>
 #include <magmpm/particles/particle_sort.h>
 
@@ -95,7 +96,7 @@ namespace magmpm::benchmarks
     const Lattice<dim> lattice;
     BackgroundMesh<dim> mesh;
     BlockPartition<dim> partition;
-    std::unique_ptr<dealii::TimerOutput> timer;
+    parallel::PhaseTimer timer;
     PotentialProblem<dim> potential;
 
     std::vector<Body<dim>> bodies;

@@ -13,6 +13,10 @@ namespace magmpm
   std::string
   with_separators(const unsigned long value);
 
+  /** 7, 4 as "0007": at least this many digits, so that names come in the order of numbers. */
+  std::string
+  with_digits(const unsigned long value, const int n_digits);
+
   /** 0.91234 as "0.912": three digits. */
   std::string
   three_digits(const double value);

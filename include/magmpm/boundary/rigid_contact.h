@@ -70,6 +70,19 @@ namespace magmpm
   {
     RigidMatrix<dim> inertia;  ///< A: symmetric, positive definite
     RigidVector<dim> momentum; ///< b
+
+    /** b and the lower triangle of A, which say it all. */
+    template <typename F>
+    void
+    for_each_number(F &&f)
+    {
+      for (int i = 0; i < n_rigid_components<dim>; ++i)
+        {
+          f(momentum.values[i]);
+          for (int j = 0; j <= i; ++j)
+            f(inertia.values[i][j]);
+        }
+    }
   };
 
   /**

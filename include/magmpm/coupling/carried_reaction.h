@@ -1,7 +1,7 @@
 #pragma once
 
-#include <magmpm/simulation/run_state.h>
 #include <magmpm/magnets/source_field.h>
+#include <magmpm/simulation/run_state.h>
 
 #include <vector>
 
@@ -16,7 +16,7 @@ namespace magmpm
   /** Takes what a solve found. @param way  since the last solve for which this was called, or 0 [m]. */
   template <int dim>
   void
-  set_reactions(const std::vector<ForceAndTorque<dim>> &found,
+  set_reactions(std::vector<ForceAndTorque<dim>> found,
                 const double way,
                 CarriedReactions &reactions);
 

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <magmpm/simulation/domain_decomposition.h>
-#include <magmpm/parameters/parameters.h>
-#include <magmpm/simulation/run_state.h>
 #include <magmpm/lattice/node_field.h>
 #include <magmpm/magnets/external_field.h>
+#include <magmpm/parameters/parameters.h>
 #include <magmpm/particles/body.h>
+#include <magmpm/simulation/domain_decomposition.h>
+#include <magmpm/simulation/run_state.h>
 
 #include <mpi.h>
 
@@ -13,9 +13,9 @@
 #include <optional>
 #include <vector>
 
-namespace dealii
+namespace magmpm::parallel
 {
-  class TimerOutput;
+  class PhaseTimer;
 }
 
 namespace magmpm
@@ -36,7 +36,7 @@ namespace magmpm
     MagneticCoupling(const Parameters<dim> &parameters,
                      const DomainDecomposition<dim> &decomposition,
                      ExternalField<dim> &external_field,
-                     dealii::TimerOutput &timer,
+                     parallel::PhaseTimer &timer,
                      const MPI_Comm communicator);
     ~MagneticCoupling();
 

@@ -3,13 +3,14 @@
 #include <magmpm/boundary/lattice_boundary.h>
 #include <magmpm/boundary/rigid_bodies.h>
 #include <magmpm/boundary/rigid_collision.h>
-#include <magmpm/parameters/parameters.h>
-#include <magmpm/simulation/run_state.h>
-#include <magmpm/lattice/node_field.h>
 #include <magmpm/coupling/magnet_forces.h>
+#include <magmpm/coupling/rigid_hold.h>
+#include <magmpm/lattice/node_field.h>
 #include <magmpm/magnets/external_field.h>
+#include <magmpm/parameters/parameters.h>
 #include <magmpm/particles/body.h>
 #include <magmpm/particles/box_faces.h>
+#include <magmpm/simulation/run_state.h>
 #include <magmpm/simulation/time_step_control.h>
 
 #include <mpi.h>
@@ -93,18 +94,13 @@ namespace magmpm
     ForceAndTorque<dim>
     magnetic_force(const std::size_t body, const std::vector<ForceAndTorque<dim>> &forces) const;
 
-    /**
-     * Puts particles out that got deep into bodies.
-     *
-     * @return of each body with a surface in turn, on this rank: particles inside, particles put out, and
-     *         the components of the momentum and angular momentum that these lost.
-     */
-    std::vector<double>
-    push_out(const BlockSet<dim> &blocks, std::vector<Body<dim>> &bodies, RunState &state) const;
+    /** Puts particles out that got deep into bodies. @return by body, on this rank. */
+    std::vector<RigidHold<dim>>
+    push_out(const BlockSet<dim> &blocks, std::vector<Body<dim>> &bodies) const;
 
     /** Counts what push_out() of all ranks together did, and gives free bodies the momentum. */
     void
-    take_pushed(const std::vector<double> &sums, RunState &state);
+    take_pushed(const std::vector<RigidHold<dim>> &pushed, RunState &state);
 
     const Parameters<dim> &parameters;
     ExternalField<dim> &external_field;

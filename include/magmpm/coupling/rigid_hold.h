@@ -1,8 +1,8 @@
 #pragma once
 
-#include <magmpm/motion/pose.h>
 #include <magmpm/geometry/shape.h>
 #include <magmpm/lattice/block_set.h>
+#include <magmpm/motion/pose.h>
 #include <magmpm/particles/body.h>
 
 #include <algorithm>
@@ -24,6 +24,17 @@ namespace magmpm
     /** What the particles lost: momentum [N s], and angular momentum about the origin of the pose [N m s]. */
     Vector<dim> impulse;
     Vector<n_axial_components<dim>> angular_impulse;
+
+    /** Those that add up over ranks. */
+    template <typename F>
+    void
+    for_each_number(F &&f)
+    {
+      f(n_inside);
+      f(n_held);
+      f(impulse);
+      f(angular_impulse);
+    }
 
     RigidHold &
     operator+=(const RigidHold &other)

@@ -1,17 +1,17 @@
 #pragma once
 
+#include <magmpm/elliptic/solve_report.h>
 #include <magmpm/lattice/node_field.h>
 #include <magmpm/magnetics/magnetics_parameters.h>
-#include <magmpm/elliptic/solve_report.h>
 #include <magmpm/magnets/external_field.h>
 #include <magmpm/mesh/block_partition.h>
 
 #include <memory>
 #include <vector>
 
-namespace dealii
+namespace magmpm::parallel
 {
-  class TimerOutput;
+  class PhaseTimer;
 }
 
 namespace magmpm
@@ -51,7 +51,7 @@ namespace magmpm
     PotentialProblem(const BackgroundMesh<dim> &mesh,
                      const BlockPartition<dim> &partition,
                      const MagneticsParameters<dim> &parameters,
-                     dealii::TimerOutput &timer);
+                     parallel::PhaseTimer &timer);
     ~PotentialProblem();
 
     /**

@@ -14,6 +14,14 @@ namespace magmpm
   {
     Vector<dim> force;                      ///< [N], in 2D [N/m]
     Vector<n_axial_components<dim>> torque; ///< [N m], in 2D [N]
+
+    template <typename F>
+    void
+    for_each_number(F &&f)
+    {
+      f(force);
+      f(torque);
+    }
   };
 
   /** A field at a point: H [A/m] and G(i,j) = dH_i/dx_j [A/m^2]. */

@@ -19,6 +19,17 @@ namespace magmpm
     double affine_velocity          = 0.; ///< Frobenius norm of C [1/s]
     double max_volume_ratio         = 0.; ///< J
     double max_inverse_volume_ratio = 0.; ///< 1/J; infinite where J <= 0
+
+    template <typename F>
+    void
+    for_each_number(F &&f)
+    {
+      f(speed);
+      f(signal_speed);
+      f(affine_velocity);
+      f(max_volume_ratio);
+      f(max_inverse_volume_ratio);
+    }
   };
 
   /**

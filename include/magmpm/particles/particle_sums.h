@@ -40,17 +40,38 @@ namespace magmpm
     /** sqrt(mu_0 |M|^2/rho), the speed of the waves that magnetization adds, at most [m/s]. */
     Number max_magnetic_wave_speed = 0.;
 
+    /** Takes other particles in. */
     ParticleSums &
     operator+=(const ParticleSums &other);
 
-    /** For the exchange between ranks (Boost.Serialization): all members are doubles. */
-    template <typename Archive>
+    /**
+     * Calls visitor.sum(), .max() or .min() with each member, by how it is combined with that of other
+     * particles; so a parallel::Reduction combines the sums of ranks.
+     *
+     * @param others  sums whose same members are handed over beside it.
+     */
+    template <typename Visitor, typename... Sums>
     void
-    serialize(Archive &archive, const unsigned int /*version*/)
+    for_each_member(Visitor &visitor, const Sums &...others)
     {
-      double *values = reinterpret_cast<double *>(this);
-      for (std::size_t i = 0; i < sizeof(*this) / sizeof(double); ++i)
-        archive &values[i];
+      visitor.sum(n_particles, others.n_particles...);
+      visitor.sum(mass, others.mass...);
+      visitor.sum(kinetic_energy, others.kinetic_energy...);
+      visitor.sum(elastic_energy, others.elastic_energy...);
+      visitor.sum(gravitational_energy, others.gravitational_energy...);
+      visitor.sum(momentum, others.momentum...);
+      visitor.sum(mass_times_position, others.mass_times_position...);
+      visitor.sum(angular_momentum, others.angular_momentum...);
+      visitor.sum(magnetic_force, others.magnetic_force...);
+      visitor.sum(magnetic_moment, others.magnetic_moment...);
+      visitor.max(max_speed, others.max_speed...);
+      visitor.max(max_affine_velocity, others.max_affine_velocity...);
+      visitor.min(min_volume_ratio, others.min_volume_ratio...);
+      visitor.max(max_volume_ratio, others.max_volume_ratio...);
+      visitor.max(max_field, others.max_field...);
+      visitor.max(max_magnetization, others.max_magnetization...);
+      visitor.max(max_magnetic_acceleration, others.max_magnetic_acceleration...);
+      visitor.max(max_magnetic_wave_speed, others.max_magnetic_wave_speed...);
     }
   };
 

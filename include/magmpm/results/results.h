@@ -2,14 +2,14 @@
 
 #include <magmpm/boundary/rigid_bodies.h>
 #include <magmpm/parameters/parameters.h>
+#include <magmpm/particles/body.h>
+#include <magmpm/particles/particle_sums.h>
 #include <magmpm/results/particle_output.h>
 #include <magmpm/results/rigid_body_output.h>
 #include <magmpm/results/run_log.h>
-#include <magmpm/simulation/run_state.h>
 #include <magmpm/results/statistics_file.h>
 #include <magmpm/results/surface_output.h>
-#include <magmpm/particles/body.h>
-#include <magmpm/particles/particle_sums.h>
+#include <magmpm/simulation/run_state.h>
 
 #include <mpi.h>
 
@@ -19,11 +19,6 @@
 #include <string>
 #include <utility>
 #include <vector>
-
-namespace dealii
-{
-  class TimerOutput;
-}
 
 namespace magmpm
 {

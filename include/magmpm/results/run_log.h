@@ -103,10 +103,8 @@ namespace magmpm
     end();
 
     /**
-     * Terminal and log.txt in one stream, silent on all ranks but 0; for tables that others print.
-     * The timing table is printed with
-     *   dealii::TimerOutput timer(log.stream(), TimerOutput::never, TimerOutput::wall_times);
-     *   timer.print_wall_time_statistics(communicator);
+     * Terminal and log.txt in one stream, silent on all ranks but 0; for tables that others print
+     * (PhaseTimer::print()).
      */
     std::ostream &
     stream();

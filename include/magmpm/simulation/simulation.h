@@ -1,17 +1,18 @@
 #pragma once
 
-#include <magmpm/simulation/domain_decomposition.h>
-#include <magmpm/simulation/checkpoint.h>
-#include <magmpm/parameters/parameters.h>
-#include <magmpm/results/results.h>
+#include <magmpm/coupling/rigid_body_coupling.h>
 #include <magmpm/magnets/external_field.h>
+#include <magmpm/parallel/phase_timer.h>
+#include <magmpm/parameters/parameters.h>
 #include <magmpm/particles/body.h>
 #include <magmpm/particles/box_faces.h>
 #include <magmpm/particles/particle_grid_transfer.h>
 #include <magmpm/particles/particle_sort.h>
 #include <magmpm/particles/particle_sums.h>
+#include <magmpm/results/results.h>
+#include <magmpm/simulation/checkpoint.h>
+#include <magmpm/simulation/domain_decomposition.h>
 #include <magmpm/simulation/rest_check.h>
-#include <magmpm/coupling/rigid_body_coupling.h>
 #include <magmpm/simulation/run_control.h>
 #include <magmpm/simulation/run_record.h>
 #include <magmpm/simulation/runaway_check.h>
@@ -22,11 +23,6 @@
 #include <memory>
 #include <optional>
 #include <vector>
-
-namespace dealii
-{
-  class TimerOutput;
-}
 
 namespace magmpm
 {
@@ -149,7 +145,7 @@ namespace magmpm
 
     const std::optional<RunRecord> resumed; ///< where an earlier run was
     Results<dim> results;
-    std::unique_ptr<dealii::TimerOutput> timer;
+    parallel::PhaseTimer timer;
 
     ExternalField<dim> external_field;
     RigidBodyCoupling<dim> rigid_bodies;
