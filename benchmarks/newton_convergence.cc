@@ -18,7 +18,9 @@
 #include <magmpm/coupling/magnetic_coupling.h>
 #include <magmpm/parallel/phase_timer.h>
 #include <magmpm/parallel/ranks.h>
+#include <magmpm/parameters/parameters.h>
 #include <magmpm/particles/seeding.h>
+#include <magmpm/simulation/domain_decomposition.h>
 
 #include <magnetics/scene.h>
 #include <paper_scheme/ball_experiment.h>
@@ -136,17 +138,22 @@ namespace
     ExternalField<dim> magnets(parameters.sources);
     std::vector<Body<dim>> bodies = seeded_bodies(parameters);
     DomainDecomposition<dim> decomposition(parameters, MPI_COMM_WORLD);
-    MagneticCoupling<dim> coupling(parameters, decomposition, magnets, timer, MPI_COMM_WORLD);
+    SolveTriggerParameters trigger;
+    trigger.trigger = SolveTriggerParameters::Trigger::every_step;
+    MagneticCoupling<dim> coupling(
+      {parameters.lattice, parameters.magnetics, trigger, false}, magnets, timer, MPI_COMM_WORLD);
+    coupling.set_up(decomposition.mesh(), decomposition.partition());
     decomposition.regroup(bodies);
-    RunState state;
+    Clock clock;
     for (const double time : {0., parameters.output.frame_interval})
       {
         magnets.set_time(time);
-        coupling.solve(bodies, state);
-        if (state.last_solve.zero_residual > 0.)
+        coupling.update(clock, bodies);
+        if (coupling.state().report.zero_residual > 0.)
           break;
+        ++clock.step;
       }
-    return state.last_solve;
+    return coupling.state().report;
   }
 
   template <int dim>

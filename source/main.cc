@@ -3,7 +3,7 @@
 #include <magmpm/parallel/ranks.h>
 #include <magmpm/parameters/parameters.h>
 #include <magmpm/simulation/command_line.h>
-#include <magmpm/simulation/simulation.h>
+#include <magmpm/simulation/run.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -17,14 +17,7 @@ run_scene(const ParameterFile &file, const CommandLine &command_line, std::ostre
 {
   const Parameters<dim> parameters = read_parameters<dim>(file);
   if (command_line.task == CommandLine::Task::run)
-    {
-      std::optional<Checkpoint> checkpoint;
-      if (command_line.resume)
-        checkpoint = CheckpointFolder(
-                       MPI_COMM_WORLD, parameters.output.directory, parameters.checkpoint.n_kept)
-                       .read();
-      return Simulation<dim>(parameters, MPI_COMM_WORLD, checkpoint).run();
-    }
+    return Run<dim>(parameters, MPI_COMM_WORLD, command_line.start).run();
 
   terminal << file.name << ": valid" << std::endl;
   for (const std::string &warning : parameters.warnings)

@@ -1,15 +1,10 @@
 #include <magmpm/coupling/carried_force.h>
+#include <magmpm/coupling/extrapolation.h>
 
 #include <algorithm>
 
 namespace magmpm
 {
-  namespace
-  {
-    /** Of |a|: the largest change that is carried on over a way as long as the last one. */
-    constexpr double largest_change = 0.5;
-  } // namespace
-
   template <int dim>
   void
   recall_carried_force(const double way, Body<dim> &body)
@@ -38,14 +33,9 @@ namespace magmpm
         const Vector<dim> now    = particles.vector(ParticleProperty::magnetic_acceleration, p);
         const Vector<dim> before = particles.vector(ParticleProperty::magnetic_acceleration_rate,
                                                     p);
-        const Vector<dim> change = now - before;
-        const double allowed     = largest_change * norm(now);
-        double factor            = way > 0. ? 1. / way : 0.;
-        if (norm(change) > allowed)
-          factor *= allowed / norm(change);
+        const Vector<dim> rate = extrapolation_rate(before, now, way);
         for (int d = 0; d < dim; ++d)
-          particles.component(ParticleProperty::magnetic_acceleration_rate, d)[p] = factor *
-                                                                                    change[d];
+          particles.component(ParticleProperty::magnetic_acceleration_rate, d)[p] = rate[d];
       }
   }
 
@@ -67,7 +57,7 @@ namespace magmpm
 
   template <int dim>
   void
-  hold_carried_force(const double way, Body<dim> &body)
+  freeze_carried_force(const double way, Body<dim> &body)
   {
     advance_carried_force(-way, body);
     for (int d = 0; d < dim && body.magnetic.is_magnetic(); ++d)
@@ -91,7 +81,7 @@ namespace magmpm
   template void recall_carried_force<dim>(const double, Body<dim> &);      \
   template void set_rate_of_carried_force<dim>(const double, Body<dim> &); \
   template void advance_carried_force<dim>(const double, Body<dim> &);     \
-  template void hold_carried_force<dim>(const double, Body<dim> &);        \
+  template void freeze_carried_force<dim>(const double, Body<dim> &);        \
   template void drop_carried_force<dim>(Body<dim> &);
 
   INSTANTIATE(2)

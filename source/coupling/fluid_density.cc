@@ -1,40 +1,79 @@
-#include <magmpm/parallel/reduce.h>
-
 #include <magmpm/coupling/fluid_density.h>
 
 namespace magmpm
 {
   template <int dim>
-  double
-  relax_density(const double time,
-                const BlockPartition<dim> &partition,
-                const Lattice<dim> &lattice,
-                const OpenFaces<dim> &open,
-                const MPI_Comm communicator,
-                NodeField<dim> &scratch,
-                std::vector<Body<dim>> &bodies)
+  FluidDensity<dim>::FluidDensity(const Lattice<dim> &lattice, const OpenFaces<dim> &open)
+    : lattice(lattice)
+    , open(open)
   {
+  }
+
+  template <int dim>
+  void
+  FluidDensity<dim>::relax(const Clock &clock,
+                           const BlockPartition<dim> &partition,
+                           NodeField<dim> &scratch,
+                           std::vector<Body<dim>> &bodies)
+  {
+    relaxed_this_step = has_fluid(bodies) && clock.step % relaxation_period == 0;
+    if (!relaxed_this_step)
+      return;
     const BlockSet<dim> &blocks = partition.blocks();
     fluid_fraction_to_lattice(bodies, blocks, lattice, scratch);
     partition.add_ghosts_to_owners(scratch);
     complete_fluid_fraction(blocks, lattice, open, scratch);
     partition.update_ghosts(scratch);
-    const DensityError error = relax_volume_ratios(scratch, blocks, lattice, time, bodies);
-    const double n_particles = parallel::sum(error.n_particles, communicator);
-    const double sum         = parallel::sum(error.sum, communicator);
-    return n_particles > 0. ? sum / n_particles : 0.;
+    found =
+      relax_volume_ratios(scratch, blocks, lattice, relaxation_period * clock.time_step, bodies);
   }
 
-#define INSTANTIATE(dim)                                     \
-  template double relax_density(double,                      \
-                                const BlockPartition<dim> &, \
-                                const Lattice<dim> &,        \
-                                const OpenFaces<dim> &,      \
-                                const MPI_Comm,              \
-                                NodeField<dim> &,            \
-                                std::vector<Body<dim>> &);
+  template <int dim>
+  void
+  FluidDensity<dim>::reduce(parallel::Reduction &reduction)
+  {
+    if (!relaxed_this_step)
+      return;
+    reduction.sum(found.sum);
+    reduction.sum(found.n_particles);
+  }
 
-  INSTANTIATE(2)
-  INSTANTIATE(3)
-#undef INSTANTIATE
+  template <int dim>
+  void
+  FluidDensity<dim>::take_reduced()
+  {
+    if (relaxed_this_step)
+      mean_error = (found.n_particles > 0. ? found.sum / found.n_particles : 0.);
+  }
+
+  template <int dim>
+  void
+  FluidDensity<dim>::add_columns(ColumnTable &table) const
+  {
+    table.add("density error", "-", [this] { return mean_error; });
+  }
+
+  template <int dim>
+  SectionTitle
+  FluidDensity<dim>::title() const
+  {
+    return {"fluid density", 1};
+  }
+
+  template <int dim>
+  std::string
+  FluidDensity<dim>::save() const
+  {
+    return pack(mean_error);
+  }
+
+  template <int dim>
+  void
+  FluidDensity<dim>::load(const std::string &bytes)
+  {
+    unpack(bytes, mean_error);
+  }
+
+  template class FluidDensity<2>;
+  template class FluidDensity<3>;
 } // namespace magmpm

@@ -14,7 +14,7 @@ namespace magmpm
 
   template <int dim>
   std::vector<ForceAndTorque<dim>>
-  MagnetForces<dim>::total(const CarriedReactions &reactions)
+  MagnetForces<dim>::total(const CarriedReactions<dim> &reactions)
   {
     const auto &all = sources.sources();
     if (!is_known())
@@ -26,7 +26,7 @@ namespace magmpm
     std::vector<ForceAndTorque<dim>> result = by_sources;
     for (std::size_t s = 0; s < all.size(); ++s)
       {
-        const ForceAndTorque<dim> by_material = reaction_on<dim>(s, reactions);
+        const ForceAndTorque<dim> by_material = reactions.on(s);
         result[s].force += by_material.force;
         result[s].torque += by_material.torque;
       }

@@ -1,5 +1,4 @@
 #include <magmpm/coupling/carried_force.h>
-#include <magmpm/coupling/carried_reaction.h>
 #include <magmpm/coupling/magnetic_coupling.h>
 #include <magmpm/magnetics/potential_problem.h>
 #include <magmpm/magnetics/source_reaction.h>
@@ -13,19 +12,14 @@
 namespace magmpm
 {
   template <int dim>
-  MagneticCoupling<dim>::MagneticCoupling(const Parameters<dim> &parameters,
-                                          const DomainDecomposition<dim> &decomposition,
+  MagneticCoupling<dim>::MagneticCoupling(const MagneticCouplingParameters<dim> &parameters,
                                           ExternalField<dim> &external_field,
                                           parallel::PhaseTimer &timer,
                                           const MPI_Comm communicator)
     : parameters(parameters)
-    , decomposition(decomposition)
     , external_field(external_field)
+    , timer(timer)
     , communicator(communicator)
-    , problem(std::make_unique<PotentialProblem<dim>>(decomposition.mesh(),
-                                                      decomposition.partition(),
-                                                      parameters.magnetics,
-                                                      timer))
   {
   }
 
@@ -33,119 +27,172 @@ namespace magmpm
   MagneticCoupling<dim>::~MagneticCoupling() = default;
 
   template <int dim>
-  bool
-  MagneticCoupling<dim>::is_due(std::vector<Body<dim>> &bodies, RunState &state) const
+  void
+  MagneticCoupling<dim>::set_up(const BackgroundMesh<dim> &new_mesh,
+                                const BlockPartition<dim> &new_partition)
   {
-    using Trigger                         = SolveTriggerParameters::Trigger;
-    const SolveTriggerParameters &trigger = parameters.solve_trigger;
-    if (state.n_solves == 0)
-      return true;
-    if (state.step_of_last_solve == state.step)
-      return false;
-    if (trigger.trigger == Trigger::every_step)
-      return true;
-    if (trigger.trigger == Trigger::every_n_steps)
-      return state.step % trigger.n_steps == 0;
-    // After the first solve the rate of the force is not known yet: the second one comes soon.
-    const double tolerated = (state.n_solves == 1 ? 0.5 : 1.) * trigger.moved_fraction *
-                             parameters.lattice.spacing;
-    // The sum of the steps is cheap to have and never too short; vibrations make it too long.
-    if (state.drift_since_solve > tolerated)
-      {
-        state.drift_since_solve = 0.;
-        for (const Body<dim> &body : bodies)
-          state.drift_since_solve = std::max(state.drift_since_solve, way_since_solve(body));
-        state.drift_since_solve = parallel::max(state.drift_since_solve, communicator);
-        // A motion that turned back is a vibration: its way says nothing about the force.
-        if (state.drift_since_solve <= tolerated)
-          {
-            for (Body<dim> &body : bodies)
-              hold_carried_force(state.carried_way, body);
-            hold_reactions(state.carried_way, state.reactions);
-          }
-      }
-    const auto change = external_field.change_since_remembered();
-    return state.drift_since_solve > tolerated || change.displacement > tolerated ||
-           change.relative_strength > trigger.changed_fraction;
+    reset();
+    if (memory.is_over)
+      return;
+    mesh      = &new_mesh;
+    partition = &new_partition;
+    problem   = std::make_unique<PotentialProblem<dim>>(
+      new_mesh, new_partition, parameters.magnetics, timer);
   }
 
   template <int dim>
   void
-  MagneticCoupling<dim>::solve(std::vector<Body<dim>> &bodies, RunState &state)
+  MagneticCoupling<dim>::reset()
   {
-    solve_potential(bodies, state);
-    const double way = state.carried_way;
-    carry_force(nodal_accelerations(bodies, state), bodies, state);
+    problem.reset();
+    mesh_of_last_solve.reset();
+    mesh      = nullptr;
+    partition = nullptr;
+  }
+
+  template <int dim>
+  void
+  MagneticCoupling<dim>::update(const Clock &clock, std::vector<Body<dim>> &bodies)
+  {
+    memory.solved_this_step = false;
+    if (!is_active())
+      return;
+    advance_force(bodies);
+    update_age(bodies);
+    if (is_due(clock))
+      solve(clock, bodies);
+  }
+
+  template <int dim>
+  void
+  MagneticCoupling<dim>::note_motion(const double way)
+  {
+    memory.age.drift += way;
+    memory.age.path += way;
+  }
+
+  template <int dim>
+  void
+  MagneticCoupling<dim>::end(std::vector<Body<dim>> &bodies)
+  {
+    reset();
+    for (Body<dim> &body : bodies)
+      drop_carried_force(body);
+    memory.is_over          = true;
+    memory.report.energy    = 0.;
+    memory.max_wave_speed   = 0.;
+    memory.max_acceleration = 0.;
+  }
+
+  template <int dim>
+  void
+  MagneticCoupling<dim>::advance_force(std::vector<Body<dim>> &bodies)
+  {
+    if (memory.n_solves == 0)
+      return;
+    // A source that changes in strength by all of itself counts as one that moves by dx.
+    const auto change = external_field.change_since_remembered();
+    const double way  = memory.age.path + change.displacement +
+                       change.relative_strength * parameters.lattice.spacing;
+    for (Body<dim> &body : bodies)
+      advance_carried_force(way - memory.age.carried_way, body);
+    memory.reactions.advance(way - memory.age.carried_way);
+    memory.age.carried_way = way;
+  }
+
+  template <int dim>
+  double
+  MagneticCoupling<dim>::tolerated_drift() const
+  {
+    // After the first solve the rate of the force is not known yet: the second one comes soon.
+    return (memory.n_solves == 1 ? 0.5 : 1.) * parameters.trigger.moved_fraction *
+           parameters.lattice.spacing;
+  }
+
+  template <int dim>
+  void
+  MagneticCoupling<dim>::update_age(std::vector<Body<dim>> &bodies)
+  {
+    // The sum of the steps is cheap to have and never too short; vibrations make it too long.
+    if (memory.n_solves == 0 || memory.age.drift <= tolerated_drift() ||
+        parameters.trigger.trigger != SolveTriggerParameters::Trigger::when_changed)
+      return;
+    double drift = 0.;
+    for (const Body<dim> &body : bodies)
+      drift = std::max(drift, way_since_solve(body));
+    memory.age.drift = parallel::max(drift, communicator);
+    if (memory.age.drift > tolerated_drift())
+      return;
+    // A motion that turned back is a vibration: its way says nothing about the force.
+    for (Body<dim> &body : bodies)
+      freeze_carried_force(memory.age.carried_way, body);
+    memory.reactions.freeze(memory.age.carried_way);
+  }
+
+  template <int dim>
+  bool
+  MagneticCoupling<dim>::is_due(const Clock &clock) const
+  {
+    using Trigger = SolveTriggerParameters::Trigger;
+    if (memory.n_solves == 0)
+      return true;
+    if (memory.step_of_solve == clock.step)
+      return false;
+    switch (parameters.trigger.trigger)
+      {
+        case Trigger::every_step:
+          return true;
+        case Trigger::every_n_steps:
+          return clock.step % parameters.trigger.n_steps == 0;
+        default:
+          const auto change = external_field.change_since_remembered();
+          return memory.age.drift > tolerated_drift() || change.displacement > tolerated_drift() ||
+                 change.relative_strength > parameters.trigger.changed_fraction;
+      }
+  }
+
+  template <int dim>
+  void
+  MagneticCoupling<dim>::solve(const Clock &clock, std::vector<Body<dim>> &bodies)
+  {
+    const parallel::PhaseTimer::Scope timed(timer, "Solve potential");
+    solve_potential(bodies);
+    const double way = memory.age.carried_way;
+    carry_force(nodal_accelerations(bodies), bodies);
     NodeField<dim> field;
-    field.reinit(decomposition.blocks().size());
+    field.reinit(partition->blocks().size());
     problem->compute_field(field);
     interpolate_to_particles(
-      field, decomposition.blocks(), parameters.lattice, ParticleProperty::magnetic_field, bodies);
+      field, partition->blocks(), parameters.lattice, ParticleProperty::magnetic_field, bodies);
 
     for (Body<dim> &body : bodies)
       remember_positions(body);
     external_field.remember();
-    state.drift_since_solve  = 0.;
-    state.solved_this_step   = true;
-    state.step_of_last_solve = state.step;
-    state.time_of_last_solve = state.time;
-    ++state.n_solves;
+    memory.age              = {};
+    memory.solved_this_step = true;
+    memory.step_of_solve    = clock.step;
+    memory.time_of_solve    = clock.time;
+    ++memory.n_solves;
     // What moves a free magnet is needed now, what is only told of magnets when a row is written.
-    if (std::any_of(parameters.sources.begin(), parameters.sources.end(), [](const auto &source) {
-          return source.is_free;
-        }))
-      find_reactions(way, state);
+    if (parameters.moves_magnets)
+      find_reactions(way);
+    find_limits(bodies);
   }
 
   template <int dim>
   void
-  MagneticCoupling<dim>::find_reactions(const double way, RunState &state) const
+  MagneticCoupling<dim>::solve_for_output(std::vector<Body<dim>> &bodies)
   {
-    set_reactions(reactions_on_sources(problem->material_samples(), external_field, communicator),
-                  way,
-                  state.reactions);
-    state.reactions.n_solves = state.n_solves;
+    if (mesh_of_last_solve != mesh->revision())
+      solve_potential(bodies);
   }
 
   template <int dim>
   void
-  MagneticCoupling<dim>::update_reactions(RunState &state) const
+  MagneticCoupling<dim>::solve_potential(std::vector<Body<dim>> &bodies)
   {
-    if (state.reactions.n_solves != state.n_solves && !parameters.sources.empty() &&
-        mesh_of_last_solve == decomposition.mesh().revision())
-      find_reactions(0., state);
-  }
-
-  template <int dim>
-  void
-  MagneticCoupling<dim>::advance_force(std::vector<Body<dim>> &bodies, RunState &state) const
-  {
-    if (state.n_solves == 0)
-      return;
-    // A source that changes in strength by all of itself counts as one that moves by dx.
-    const auto change = external_field.change_since_remembered();
-    const double way  = state.path_since_solve + change.displacement +
-                       change.relative_strength * parameters.lattice.spacing;
-    for (Body<dim> &body : bodies)
-      advance_carried_force(way - state.carried_way, body);
-    advance_reactions(way - state.carried_way, state.reactions);
-    state.carried_way = way;
-  }
-
-  template <int dim>
-  void
-  MagneticCoupling<dim>::solve_for_output(std::vector<Body<dim>> &bodies, RunState &state)
-  {
-    if (mesh_of_last_solve != decomposition.mesh().revision())
-      solve_potential(bodies, state);
-  }
-
-  template <int dim>
-  void
-  MagneticCoupling<dim>::solve_potential(std::vector<Body<dim>> &bodies, RunState &state)
-  {
-    state.last_solve   = problem->solve(magnetic_content(bodies), external_field);
-    mesh_of_last_solve = decomposition.mesh().revision();
+    memory.report      = problem->solve(magnetic_content(bodies), external_field);
+    mesh_of_last_solve = mesh->revision();
   }
 
   template <int dim>
@@ -153,28 +200,27 @@ namespace magmpm
   MagneticCoupling<dim>::magnetic_content(std::vector<Body<dim>> &bodies) const
   {
     NodeField<dim> content;
-    content.reinit(decomposition.blocks().size());
-    magnetic_content_to_lattice(bodies, decomposition.blocks(), parameters.lattice, content);
-    decomposition.partition().add_ghosts_to_owners(content);
-    decomposition.partition().update_ghosts(content);
+    content.reinit(partition->blocks().size());
+    magnetic_content_to_lattice(bodies, partition->blocks(), parameters.lattice, content);
+    partition->add_ghosts_to_owners(content);
+    partition->update_ghosts(content);
     return content;
   }
 
   template <int dim>
   NodeField<dim>
-  MagneticCoupling<dim>::nodal_accelerations(std::vector<Body<dim>> &bodies, RunState &state) const
+  MagneticCoupling<dim>::nodal_accelerations(std::vector<Body<dim>> &bodies)
   {
     // Only magnetic particles carry the force, so nodes give it to the mass of these alone.
-    const BlockSet<dim> &blocks = decomposition.blocks();
+    const BlockSet<dim> &blocks = partition->blocks();
     NodeField<dim> masses, force;
     masses.reinit(blocks.size());
     force.reinit(blocks.size());
     magnetic_mass_to_lattice(bodies, blocks, parameters.lattice, masses);
-    decomposition.partition().add_ghosts_to_owners(masses);
-    decomposition.partition().update_ghosts(masses);
-    add_mirror_images(
-      decomposition.partition(), parameters.lattice, parameters.magnetics.shielded, masses);
-    state.dropped_magnetic_force = norm(problem->compute_force(masses, force));
+    partition->add_ghosts_to_owners(masses);
+    partition->update_ghosts(masses);
+    add_mirror_images(*partition, parameters.lattice, parameters.magnetics.shielded, masses);
+    memory.dropped_force = problem->compute_force(masses, force);
     for (int slot = 0; slot < blocks.n_owned(); ++slot)
       for (int n = 0; n < nodes_per_block<dim>; ++n)
         {
@@ -183,27 +229,43 @@ namespace magmpm
           for (int d = 0; d < dim; ++d)
             node[d] = (mass > 0. ? node[d] / mass : 0.);
         }
-    decomposition.partition().update_ghosts(force);
+    partition->update_ghosts(force);
     return force;
   }
 
   template <int dim>
   void
   MagneticCoupling<dim>::carry_force(const NodeField<dim> &accelerations,
-                                     std::vector<Body<dim>> &bodies,
-                                     RunState &state) const
+                                     std::vector<Body<dim>> &bodies)
   {
     for (Body<dim> &body : bodies)
-      recall_carried_force(state.carried_way, body);
+      recall_carried_force(memory.age.carried_way, body);
     interpolate_to_particles(accelerations,
-                             decomposition.blocks(),
+                             partition->blocks(),
                              parameters.lattice,
                              ParticleProperty::magnetic_acceleration,
                              bodies);
     for (Body<dim> &body : bodies)
-      set_rate_of_carried_force(state.carried_way, body);
-    state.carried_way      = 0.;
-    state.path_since_solve = 0.;
+      set_rate_of_carried_force(memory.age.carried_way, body);
+  }
+
+  template <int dim>
+  void
+  MagneticCoupling<dim>::find_reactions(const double way)
+  {
+    memory.reactions.set(reactions_on_sources(
+                           problem->material_samples(), external_field, communicator),
+                         way);
+    memory.solve_of_reactions = memory.n_solves;
+  }
+
+  template <int dim>
+  void
+  MagneticCoupling<dim>::prepare_row()
+  {
+    if (is_active() && memory.solve_of_reactions != memory.n_solves &&
+        !external_field.sources().empty() && mesh_of_last_solve == mesh->revision())
+      find_reactions(0.);
   }
 
   template class MagneticCoupling<2>;

@@ -124,10 +124,18 @@ namespace magmpm
   void
   ExternalField<dim>::remember()
   {
-    remembered.clear();
+    kept.clear();
     for (const auto &source : all_sources)
-      remembered.push_back({source->strength(), source->pose()});
+      kept.push_back({source->strength(), source->pose()});
     has_remembered = true;
+  }
+
+  template <int dim>
+  void
+  ExternalField<dim>::remember(const std::vector<SourceSnapshot<dim>> &snapshots)
+  {
+    kept           = snapshots;
+    has_remembered = (kept.size() == all_sources.size());
   }
 
   template <int dim>
@@ -141,7 +149,7 @@ namespace magmpm
     for (std::size_t s = 0; s < all_sources.size(); ++s)
       {
         const MagneticSource<dim> &source = *all_sources[s];
-        const Vector<dim> now = source.strength(), then = remembered[s].strength;
+        const Vector<dim> now = source.strength(), then = kept[s].strength;
         const double scale = std::max(norm(now), norm(then));
         // A source that is off now and then did not change, wherever it went meanwhile.
         if (scale == 0.)
@@ -152,13 +160,13 @@ namespace magmpm
             ? (norm(now) > 0. && norm(then) > 0.
                  ? norm((1. / norm(now)) * now - (1. / norm(then)) * then)
                  : 0.)
-            : frobenius_norm(source.pose().rotation + (-1.) * remembered[s].pose.rotation) /
+            : frobenius_norm(source.pose().rotation + (-1.) * kept[s].pose.rotation) /
                 std::sqrt(2.);
         change.relative_strength = std::max(change.relative_strength, norm(now - then) / scale);
         if (!source.is_axisymmetric())
           change.relative_strength = std::max(change.relative_strength, turn);
         change.displacement = std::max(change.displacement,
-                                       norm(source.pose().position - remembered[s].pose.position) +
+                                       norm(source.pose().position - kept[s].pose.position) +
                                          turn * source.reach());
       }
     return change;

@@ -1,4 +1,6 @@
 #include <magmpm/base/exceptions.h>
+#include <magmpm/parallel/ranks.h>
+#include <magmpm/parallel/together.h>
 #include <magmpm/results/statistics_file.h>
 
 #include <algorithm>
@@ -50,16 +52,13 @@ namespace magmpm
         headings.push_back(quoted(column.heading()));
       }
 
-    int rank = 0;
-    MPI_Comm_rank(communicator, &rank);
-    is_writer = (rank == 0);
-    if (!is_writer)
-      return;
-
-    if (size_to_keep > 0)
-      reopen(size_to_keep, joined(headings));
-    else
-      create(joined(headings));
+    is_writer = (parallel::rank(communicator) == 0);
+    parallel::on_first_rank(communicator, [&]() {
+      if (size_to_keep > 0)
+        reopen(size_to_keep, joined(headings));
+      else
+        create(joined(headings));
+    });
   }
 
   void

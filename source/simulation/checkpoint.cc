@@ -1,18 +1,13 @@
-#include <deal.II/base/utilities.h>
-
 #include <magmpm/base/exceptions.h>
+#include <magmpm/parallel/gather.h>
+#include <magmpm/parallel/together.h>
 #include <magmpm/simulation/checkpoint.h>
-
-#include <boost/crc.hpp>
-
-#include <fcntl.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <string_view>
 
 namespace magmpm
 {
@@ -20,105 +15,71 @@ namespace magmpm
   {
     namespace fs = std::filesystem;
 
-    /** What every file of a checkpoint begins with; another layout gets another number. */
-    constexpr char signature[] = "magmpm checkpoint 1\n";
-
-    struct FileHead
-    {
-      char signature[sizeof(magmpm::signature)];
-      std::uint32_t checksum;
-      std::uint64_t size; ///< of what follows [bytes]
-    };
-
-    std::uint32_t
-    checksum_of(const std::vector<char> &bytes)
-    {
-      boost::crc_32_type crc;
-      crc.process_bytes(bytes.data(), bytes.size());
-      return crc.checksum();
-    }
-
-    /** Waits until a file, or the list of files of a folder, is on the disk. */
-    void
-    bring_to_disk(const std::string &path)
-    {
-      const int descriptor = ::open(path.c_str(), O_RDONLY);
-      const bool is_synced = descriptor >= 0 && ::fsync(descriptor) == 0;
-      if (descriptor >= 0)
-        ::close(descriptor);
-      if (!is_synced)
-        throw RunError("'" + path + "' cannot be brought to the disk");
-    }
-
-    /** Writes a file, piece after piece, and waits until it is on the disk. */
-    void
-    write_pieces(const std::string &path, const std::vector<std::string_view> &pieces)
-    {
-      std::ofstream file(path, std::ios::binary);
-      for (const std::string_view piece : pieces)
-        file.write(piece.data(), piece.size());
-      file.close();
-      if (!file)
-        throw RunError("'" + path + "' cannot be written; is the disk full?");
-      bring_to_disk(path);
-    }
-
-    void
-    write_file(const std::string &path, const std::vector<char> &bytes)
-    {
-      FileHead head = {};
-      std::copy(std::begin(signature), std::end(signature), head.signature);
-      head.checksum = checksum_of(bytes);
-      head.size     = bytes.size();
-
-      write_pieces(path,
-                   {{reinterpret_cast<const char *>(&head), sizeof(head)},
-                    {bytes.data(), bytes.size()}});
-    }
-
-    std::vector<char>
-    read_file(const std::string &path)
-    {
-      std::ifstream file(path, std::ios::binary);
-      if (!file)
-        throw RunError("'" + path + "' is missing");
-      FileHead head = {};
-      file.read(reinterpret_cast<char *>(&head), sizeof(head));
-      if (!file || !std::equal(std::begin(signature), std::end(signature), head.signature))
-        throw RunError("'" + path + "' is not a file of a checkpoint, or of another version");
-      std::error_code error;
-      if (fs::file_size(path, error) != sizeof(head) + head.size)
-        throw RunError("'" + path + "' is cut off");
-      std::vector<char> bytes(head.size);
-      file.read(bytes.data(), bytes.size());
-      if (!file || checksum_of(bytes) != head.checksum)
-        throw RunError("'" + path + "' is damaged");
-      return bytes;
-    }
+    constexpr std::size_t entry_size = 8; ///< bytes of one particle in a column
 
     std::string
     particle_file(const std::string &folder, const unsigned int rank)
     {
-      return folder + "/particles-" + with_digits(rank, 5) + ".bin";
+      char name[32];
+      std::snprintf(name, sizeof(name), "/particles-%05u.bin", rank);
+      return folder + name;
     }
 
-    /** The part of a checkpoint that is the same on all ranks, and the number of files beside it. */
-    struct CommonPart
+    /** What comes before the columns of a body in a file of particles. */
+    struct BodyHead
     {
-      Checkpoint checkpoint;
-      unsigned int n_ranks = 0;
-
-      template <typename Archive>
-      void
-      serialize(Archive &archive, const unsigned int)
-      {
-        archive &n_ranks;
-        archive &checkpoint.version;
-        archive &checkpoint.parameters;
-        archive &checkpoint.run;
-      }
+      std::uint64_t n_columns;
+      std::uint64_t n_particles;
     };
+
+    void
+    write_particles(const std::string &path, const std::vector<ColumnsToWrite> &bodies)
+    {
+      std::vector<BodyHead> heads;
+      for (const ColumnsToWrite &columns : bodies)
+        heads.push_back({columns.size(), columns.empty() ? 0 : columns.front().size / entry_size});
+      std::vector<ConstBytes> pieces;
+      for (std::size_t b = 0; b < bodies.size(); ++b)
+        {
+          pieces.push_back({&heads[b], sizeof(BodyHead)});
+          pieces.insert(pieces.end(), bodies[b].begin(), bodies[b].end());
+        }
+      write_checkpoint_file(path, pieces);
+    }
+
+    void
+    read_particle_file(const std::string &path, const MakeRoom &make_room)
+    {
+      CheckpointFileReader file(path);
+      for (std::size_t body = 0; file.n_left() > 0; ++body)
+        {
+          BodyHead head = {};
+          file.read({&head, sizeof(head)});
+          // Before memory is taken for it: a damaged number could ask for all there is.
+          const std::size_t n_entries = file.n_left() / entry_size;
+          if (head.n_particles > 0 &&
+              (head.n_columns == 0 || head.n_columns > n_entries / head.n_particles))
+            throw RunError("'" + path + "' is damaged");
+          const std::vector<Bytes> columns = make_room(body, head.n_particles);
+          if (columns.size() != head.n_columns)
+            throw RunError("'" + path + "' has " + std::to_string(head.n_columns) +
+                           " columns of body " + std::to_string(body) + ", this magmpm has " +
+                           std::to_string(columns.size()));
+          for (const Bytes &column : columns)
+            file.read(column);
+        }
+      file.finish();
+    }
   } // namespace
+
+  std::vector<SectionTitle>
+  Checkpoint::titles() const
+  {
+    std::vector<SectionTitle> titles;
+    for (const Section &section : sections)
+      titles.push_back(section.title);
+    return titles;
+  }
 
   CheckpointFolder::CheckpointFolder(const MPI_Comm communicator,
                                      const std::string &output_directory,
@@ -127,28 +88,35 @@ namespace magmpm
     , folder(output_directory + "/checkpoint")
     , n_kept(n_kept)
   {
-    MPI_Comm_rank(communicator, &rank);
-    MPI_Comm_size(communicator, &n_ranks);
   }
 
   std::string
   CheckpointFolder::latest() const
   {
-    std::ifstream file(folder + "/latest");
-    std::string name;
-    std::getline(file, name);
-    return name.empty() ? name : folder + "/" + name;
+    std::string path;
+    if (parallel::rank(communicator) == 0)
+      {
+        std::ifstream file(folder + "/latest");
+        std::getline(file, path);
+        if (!path.empty())
+          path = folder + "/" + path;
+      }
+    return parallel::broadcast(path, communicator);
   }
 
   void
-  CheckpointFolder::write(const std::string &name, const Checkpoint &checkpoint) const
+  CheckpointFolder::write(const std::string &name,
+                          Checkpoint checkpoint,
+                          const std::vector<ColumnsToWrite> &particles) const
   {
-    const std::string path = folder + "/" + name;
-    const std::string what = "the checkpoint '" + path + "' was not written";
+    const std::string path  = folder + "/" + name;
+    const std::string what  = "the checkpoint '" + path + "' was not written";
+    const unsigned int rank = parallel::rank(communicator);
     // What is resumed from is never written over.
-    if (parallel::broadcast(latest(), communicator) == path)
+    if (latest() == path)
       return;
 
+    checkpoint.n_files = parallel::n_ranks(communicator);
     parallel::together(communicator, what, [&]() {
       if (rank > 0)
         return;
@@ -156,74 +124,83 @@ namespace magmpm
       fs::create_directories(path);
     });
     parallel::together(communicator, what, [&]() {
-      write_file(particle_file(path, rank), dealii::Utilities::pack(checkpoint.particles, false));
+      write_particles(particle_file(path, rank), particles);
       if (rank > 0)
         return;
-      CommonPart common;
-      common.checkpoint.version    = checkpoint.version;
-      common.checkpoint.parameters = checkpoint.parameters;
-      common.checkpoint.run        = checkpoint.run;
-      common.n_ranks               = n_ranks;
-      write_file(path + "/run.bin", dealii::Utilities::pack(common, false));
+      const std::string bytes = pack(checkpoint);
+      write_checkpoint_file(path + "/run.bin", {{bytes.data(), bytes.size()}});
       bring_to_disk(path);
     });
     parallel::together(communicator, what, [&]() {
       if (rank > 0)
         return;
       const std::string unfinished = folder + "/latest.unfinished";
-      write_pieces(unfinished, {name, "\n"});
+      if (!(std::ofstream(unfinished) << name << '\n' << std::flush))
+        throw RunError("'" + unfinished + "' cannot be written; is the disk full?");
+      bring_to_disk(unfinished);
       fs::rename(unfinished, folder + "/latest");
       bring_to_disk(folder);
-      remove_old_ones();
+      remove_old_ones(path);
     });
   }
 
   void
-  CheckpointFolder::remove_old_ones() const
+  CheckpointFolder::remove_old_ones(const std::string &newest) const
   {
     std::vector<fs::path> checkpoints;
     for (const auto &entry : fs::directory_iterator(folder))
       if (entry.is_directory())
         checkpoints.push_back(entry.path());
     std::sort(checkpoints.begin(), checkpoints.end()); // by name: the oldest first
-    const std::string newest = latest();
     for (std::size_t c = 0; c + n_kept < checkpoints.size(); ++c)
       if (checkpoints[c] != newest)
         fs::remove_all(checkpoints[c]);
   }
 
+  namespace
+  {
+    std::string
+    cannot_be_read(const std::string &path, const std::string &folder)
+    {
+      return "the checkpoint '" + path + "' cannot be read (the ones beside it may be good: write " +
+             "the name of another one into '" + folder + "/latest')";
+    }
+  } // namespace
+
   Checkpoint
   CheckpointFolder::read() const
   {
-    const std::string path = parallel::broadcast(latest(), communicator);
+    const std::string path = latest();
     if (path.empty())
       throw InputError("there is nothing to resume: '" + folder +
                        "/latest' does not exist or is empty. Start the run without --resume.");
-    CommonPart common;
-    parallel::together(
-      communicator,
-      "the checkpoint '" + path + "' cannot be read (the ones beside it may be good: write the " +
-        "name of another one into '" + folder + "/latest')",
-      [&]() {
-        common = dealii::Utilities::unpack<CommonPart>(read_file(path + "/run.bin"), false);
-        for (unsigned int file = rank; file < common.n_ranks; file += n_ranks)
-          {
-            const auto particles = dealii::Utilities::unpack<std::vector<std::vector<double>>>(
-              read_file(particle_file(path, file)), false);
-            auto &all = common.checkpoint.particles;
-            all.resize(particles.size());
-            for (std::size_t b = 0; b < particles.size(); ++b)
-              all[b].insert(all[b].end(), particles[b].begin(), particles[b].end());
-          }
-      });
-    return common.checkpoint;
+    Checkpoint checkpoint;
+    parallel::together(communicator, cannot_be_read(path, folder), [&]() {
+      CheckpointFileReader file(path + "/run.bin");
+      std::string bytes(file.n_left(), '\0');
+      file.read({bytes.data(), bytes.size()});
+      file.finish();
+      unpack(bytes, checkpoint);
+    });
+    return checkpoint;
+  }
+
+  void
+  CheckpointFolder::read_particles(const Checkpoint &checkpoint, const MakeRoom &make_room) const
+  {
+    const std::string path = latest();
+    parallel::together(communicator, cannot_be_read(path, folder), [&]() {
+      for (unsigned int file = parallel::rank(communicator); file < checkpoint.n_files;
+           file += parallel::n_ranks(communicator))
+        read_particle_file(particle_file(path, file), make_room);
+    });
   }
 
   void
   CheckpointFolder::clear() const
   {
-    together(communicator, "the checkpoints of an earlier run stay", [&]() {
-      if (rank == 0)
+    parallel::together(communicator, "the checkpoints of an earlier run stay", [&]() {
+      if (parallel::rank(communicator) == 0)
         fs::remove_all(folder);
     });
   }

@@ -19,11 +19,20 @@ namespace magmpm
     InputError
     unknown_option(const std::string &option)
     {
-      std::vector<std::string> known = {"--set", "--resume"};
+      std::vector<std::string> known = {"--set", "--resume", "--overwrite"};
       for (const auto &task : tasks)
         known.push_back(task.first);
       return InputError("unknown option '" + option + "'" + did_you_mean(option, known) +
                         " 'magmpm --help' lists all options.");
+    }
+
+    void
+    set_start(const Start start, CommandLine &command_line)
+    {
+      if (command_line.start != Start::afresh && command_line.start != start)
+        throw InputError("--resume goes on with the earlier results, --overwrite replaces them: give "
+                         "one of the two.");
+      command_line.start = start;
     }
   } // namespace
 
@@ -37,8 +46,8 @@ namespace magmpm
         const auto task             = tasks.find(argument);
         if (task != tasks.end())
           command_line.task = task->second;
-        else if (argument == "--resume")
-          command_line.resume = true;
+        else if (argument == "--resume" || argument == "--overwrite")
+          set_start(argument == "--resume" ? Start::resume : Start::overwrite, command_line);
         else if (argument == "--set")
           {
             if (++i == arguments.size())
@@ -66,13 +75,14 @@ namespace magmpm
   std::string
   usage()
   {
-    return R"(magmpm FILE.prm [--resume] [--set "Section/Name=value"]... [--validate]
+    return R"(magmpm FILE.prm [--resume] [--set "Section/Name=value"]... [--validate] [--overwrite]
 magmpm --print-parameters | --version | --help
 
 Simulates the scene of the parameter file; its results go into the folder output-FILE.
 
   --set "Section/Name=value"  overrides a value of the file, as in --set "Bodies/cube/Density=1000"
   --resume                    goes on from the latest checkpoint of the scene
+  --overwrite                 starts anew where an earlier run left a checkpoint, and removes its results
   --validate                  reads and checks the file, and runs nothing
   --print-parameters          prints the manual of all parameters (Markdown)
   --version                   prints the versions of magmpm and its libraries

@@ -18,6 +18,9 @@ namespace magmpm
      */
     constexpr double foreseen_way = 4.; // in dx
 
+    /** Particles are grouped again before any of them can have left the arena of its block. */
+    constexpr double tolerated_drift = 0.99; // in dx
+
     template <int dim>
     std::string
     describe(const Departure<dim> &departure, const std::string &body)
@@ -40,6 +43,21 @@ namespace magmpm
          << " left the box by t = " << time << " s: " << (one ? "" : "one is ")
          << regrouping.first_lost << ".";
     return text.str();
+  }
+
+  std::string
+  report(const MeshAdaptation &mesh, const int n_ranks)
+  {
+    return "load imbalance " + three_digits(mesh.imbalance_before) + " on " +
+           std::to_string(n_ranks) + " ranks: cells and particles dealt out anew, now " +
+           three_digits(mesh.imbalance);
+  }
+
+  template <int dim>
+  bool
+  DomainDecomposition<dim>::regrouping_is_due() const
+  {
+    return drift > tolerated_drift * lattice.spacing;
   }
 
   template <int dim>
@@ -79,6 +97,7 @@ namespace magmpm
     block_partition.rebuild(occupied_blocks(bodies, lattice, has_force).blocks);
     for (Body<dim> &body : bodies)
       sort_into_blocks(blocks(), lattice, body);
+    drift           = 0.;
     done.n_lost     = n_lost;
     done.first_lost = first_lost;
     return done;

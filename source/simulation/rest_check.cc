@@ -4,19 +4,19 @@
 namespace magmpm
 {
   void
-  RestCheck::note_speed(const double mean_square_speed, RunState &state) const
+  RestCheck::note_speed(const double mean_square_speed, const double time)
   {
     if (!(mean_square_speed < parameters.speed * parameters.speed))
-      state.rest_since = -1.;
-    else if (state.rest_since < 0.)
-      state.rest_since = state.time;
+      since = -1.;
+    else if (since < 0.)
+      since = time;
   }
 
   bool
-  RestCheck::is_over(const RunState &state) const
+  RestCheck::is_over(const double time) const
   {
-    return parameters.stops && state.rest_since >= 0. &&
-           state.time - state.rest_since >= parameters.duration;
+    return parameters.stops && since >= 0. &&
+           time - since >= parameters.duration;
   }
 
   std::string

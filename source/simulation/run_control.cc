@@ -7,14 +7,17 @@ namespace magmpm
 {
   namespace
   {
-    constexpr int signals[] = {SIGTERM, SIGUSR1};
+    constexpr int signals[] = {SIGTERM, SIGUSR1, SIGINT};
 
     volatile std::sig_atomic_t signal_arrived = 0;
 
     void
-    note_signal(int)
+    note_signal(const int signal)
     {
-      signal_arrived = 1;
+      signal_arrived = signal;
+      // Whoever presses Ctrl-C again will not wait.
+      if (signal == SIGINT)
+        std::signal(SIGINT, SIG_DFL);
     }
 
     double
@@ -35,13 +38,13 @@ namespace magmpm
   {
     clear_stop_file(); // one that is left from an earlier run asks nothing of this one
     signal_arrived = 0;
-    for (int s = 0; s < 2; ++s)
+    for (int s = 0; s < n_signals; ++s)
       earlier_handlers[s] = std::signal(signals[s], note_signal);
   }
 
   RunControl::~RunControl()
   {
-    for (int s = 0; s < 2; ++s)
+    for (int s = 0; s < n_signals; ++s)
       std::signal(signals[s], earlier_handlers[s]);
   }
 
@@ -49,7 +52,7 @@ namespace magmpm
   RunControl::request() const
   {
     if (signal_arrived != 0)
-      return Request::stop_by_signal;
+      return signal_arrived == SIGINT ? Request::stop_by_interrupt : Request::stop_by_signal;
     std::error_code ignored; // a file that cannot be seen is not there
     if (is_watching && std::filesystem::exists(stop_file, ignored))
       return Request::stop_by_file;
@@ -81,6 +84,8 @@ namespace magmpm
       {
         case Request::stop_by_signal:
           return "SIGTERM or SIGUSR1";
+        case Request::stop_by_interrupt:
+          return "Ctrl-C";
         case Request::stop_by_file:
           return "the file 'stop'";
         case Request::stop_after_wall_time:

@@ -1,4 +1,5 @@
 #include <magmpm/base/number_text.h>
+#include <magmpm/base/exceptions.h>
 #include <magmpm/parallel/gather.h>
 #include <magmpm/particles/particle_quantities.h>
 #include <magmpm/simulation/runaway_check.h>
@@ -45,14 +46,15 @@ namespace magmpm
              const std::size_t p,
              const RunawayLimits &limits,
              const double max_speed,
-             const RunState &state)
+             const Clock &clock,
+             const std::string &limit)
     {
       const Vector<dim> velocity = body.particles.vector(ParticleProperty::velocity, p);
       std::ostringstream text;
       text
         << "particle " << body.particles.ids()[p] << " of body '" << body.name
-        << "' ran away at t = " << state.time + state.time_step << " s (step " << state.step + 1
-        << ", dt = " << state.time_step << " s, limit: " << state.limit
+        << "' ran away at t = " << clock.time + clock.time_step << " s (step " << clock.step + 1
+        << ", dt = " << clock.time_step << " s, limit: " << limit
         << "): J = " << particle_volume_ratio(body, p) << " (allowed: " << limits.min_volume_ratio
         << " to " << limits.max_volume_ratio << "), speed " << norm(velocity)
         << " m/s (allowed: up to " << max_speed << " m/s), velocity (" << components(velocity)
@@ -76,7 +78,8 @@ namespace magmpm
   check_for_runaways(const std::vector<Body<dim>> &bodies,
                      const std::vector<ParticleExtremes> &extremes,
                      const RunawayLimits &limits,
-                     const RunState &state,
+                     const Clock &clock,
+                     const std::string &limit,
                      const MPI_Comm communicator)
   {
     for (std::size_t b = 0; b < bodies.size(); ++b)
@@ -89,7 +92,7 @@ namespace magmpm
 
         const Runaway worst = worst_particle(bodies[b], limits, max_speed);
         const std::string description =
-          (worst.excess < 0. ? "" : describe(bodies[b], worst.particle, limits, max_speed, state));
+          (worst.excess < 0. ? "" : describe(bodies[b], worst.particle, limits, max_speed, clock, limit));
         const auto excesses     = parallel::all_gather(worst.excess, communicator);
         const auto descriptions = parallel::all_gather(description, communicator);
         const auto rank = std::max_element(excesses.begin(), excesses.end()) - excesses.begin();
@@ -102,7 +105,8 @@ namespace magmpm
   template void check_for_runaways(const std::vector<Body<dim>> &,        \
                                    const std::vector<ParticleExtremes> &, \
                                    const RunawayLimits &,                 \
-                                   const RunState &,                      \
+                                   const Clock &,                         \
+                                   const std::string &,                   \
                                    const MPI_Comm);
 
   INSTANTIATE(2)

@@ -13,8 +13,7 @@ namespace magmpm
     double
     max_acceleration(const StepConditions &conditions)
     {
-      return std::max(conditions.acceleration + conditions.attraction,
-                      conditions.rigid_acceleration);
+      return std::max(conditions.acceleration, conditions.rigid_acceleration);
     }
 
     /** What a limit is made of, for a message. */

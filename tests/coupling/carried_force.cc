@@ -92,7 +92,7 @@ TEMPLATE_TEST_CASE_SIG("A sudden force is not carried on", "[coupling]", ((int d
   CHECK(acceleration(body, 0, 0) == Approx(150.).epsilon(1e-12));
 
   // Held, it is that of the last solve again, and stays so.
-  hold_carried_force(0.2, body);
+  freeze_carried_force(0.2, body);
   advance_carried_force(0.7, body);
   CHECK(acceleration(body, 0, 0) == Approx(100.).epsilon(1e-12));
 

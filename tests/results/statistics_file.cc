@@ -1,8 +1,6 @@
 // The statistics file: a table by name, exact to the last bit, that refuses to be filled wrongly.
 
 #include <magmpm/base/exceptions.h>
-#include <magmpm/results/rigid_body_columns.h>
-#include <magmpm/results/statistics_columns.h>
 #include <magmpm/results/statistics_file.h>
 
 #include "catch.h"
@@ -27,15 +25,6 @@ namespace
     for (std::string line; std::getline(file, line);)
       lines.push_back(line);
     return lines;
-  }
-
-  std::vector<std::string>
-  names_of(const std::vector<StatisticsColumn> &columns)
-  {
-    std::vector<std::string> names;
-    for (const StatisticsColumn &column : columns)
-      names.push_back(column.name);
-    return names;
   }
 } // namespace
 
@@ -108,59 +97,4 @@ TEST_CASE("a statistics file that cannot be opened says which and why", "[result
                     "writing. Is there such a folder, and are you allowed to write there?");
   CHECK_THROWS_AS(StatisticsFile(MPI_COMM_SELF, "no-such-folder/statistics.csv", {{"x", "-"}}),
                   RunError);
-}
-
-TEST_CASE("the columns of a scene have units of its dimension", "[results]")
-{
-  // Two bodies in 3D: 33 columns of the scene, 6 a body, one a phase. In 2D momenta and energies
-  // are per metre of depth, and there is one angular momentum.
-  const auto columns_3d = statistics_columns<3>({"cube", "drop"}, {"P2G", "G2P"});
-  const auto columns_2d = statistics_columns<2>({"cube", "drop"}, {"P2G", "G2P"});
-  CHECK(columns_3d.size() == 15 + 3 * 3 + 6 + 2 * 6 + 9 + 2);
-  CHECK(columns_2d.size() == 15 + 2 + 1 + 2 + 6 + 2 * 4 + 9 + 2);
-
-  std::string headings;
-  for (const StatisticsColumn &column : columns_2d)
-    headings += column.heading() + '\n';
-  for (const std::string heading : {"\nkinetic energy [J/m]\n",
-                                    "\nmomentum y [kg/s]\n",
-                                    "\nangular momentum z [kg m/s]\n",
-                                    "\ndrop: magnetic force y [N/m]\n",
-                                    "\ncube: magnetic moment x [A m]\n",
-                                    "\nwall time: G2P [s]\n"})
-    CHECK(headings.find(heading) != std::string::npos);
-  CHECK(headings.find("momentum z [kg/s]") == std::string::npos);
-
-  // No name twice, which StatisticsFile would refuse.
-  CHECK_NOTHROW(StatisticsFile(MPI_COMM_SELF,
-                               testing::fresh_folder("statistics_file-columns") + "/statistics.csv",
-                               columns_3d));
-}
-
-TEST_CASE("doc/statistics.md explains every column", "[results]")
-{
-  // The manual names each column of a scene in code quotes, with the vector's name for its
-  // components: a column added without a word in the manual fails here. A bar within a table of
-  // the manual has a backslash before it.
-  std::ifstream file(MAGMPM_SOURCE_DIR "/doc/statistics.md");
-  REQUIRE(file);
-  std::string manual(std::istreambuf_iterator<char>(file), {});
-  manual.erase(std::remove(manual.begin(), manual.end(), '\\'), manual.end());
-
-  Parameters<3> parameters;
-  parameters.sources.resize(1);
-  parameters.sources[0].name = "MAGNET";
-  parameters.sources[0].type = SourceType::magnetized_sphere;
-  parameters.rigid_bodies.resize(1);
-  parameters.rigid_bodies[0].name = "RIGID";
-  for (std::string name :
-       names_of(statistics_columns<3>({"BODY"}, {"PHASE"}, rigid_body_columns(parameters))))
-    {
-      const bool is_component = name.size() > 2 && name[name.size() - 2] == ' ' &&
-                                std::string("xyz").find(name.back()) != std::string::npos;
-      if (is_component)
-        name.resize(name.size() - 2);
-      CAPTURE(name);
-      CHECK(manual.find("`" + name + "`") != std::string::npos);
-    }
 }

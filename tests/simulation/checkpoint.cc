@@ -17,16 +17,39 @@ using namespace magmpm::testing;
 
 namespace
 {
-  /** Two bodies; the particles of rank r are the numbers from 100 r on. */
-  Checkpoint
-  checkpoint_of_this_rank(const char label)
+  using Particles = std::vector<std::vector<double>>; // one column each of three bodies
+
+  /** Of three bodies, the last without any; the particles of rank r are the numbers from 100 r on. */
+  Particles
+  particles_of_this_rank()
+  {
+    return {{100. * this_rank(), 100. * this_rank() + 1.}, {-100. * this_rank()}, {}};
+  }
+
+  void
+  write(const CheckpointFolder &checkpoints, const std::string &name, const char label)
   {
     Checkpoint checkpoint;
     checkpoint.version    = "magmpm test";
     checkpoint.parameters = "set Dimension = 2\n";
-    checkpoint.run        = {'r', 'u', 'n', label};
-    checkpoint.particles  = {{100. * this_rank(), 100. * this_rank() + 1.}, {-100. * this_rank()}};
-    return checkpoint;
+    checkpoint.sections   = {{{"run", 1}, std::string("run") + label}};
+    const Particles particles = particles_of_this_rank();
+    std::vector<ColumnsToWrite> columns;
+    for (const std::vector<double> &body : particles)
+      columns.push_back({{body.data(), body.size() * sizeof(double)}});
+    checkpoints.write(name, checkpoint, columns);
+  }
+
+  Particles
+  read_particles(const CheckpointFolder &checkpoints)
+  {
+    Particles particles(3);
+    checkpoints.read_particles(checkpoints.read(), [&](const std::size_t body, const std::size_t n) {
+      std::vector<double> &all = particles.at(body);
+      all.resize(all.size() + n);
+      return std::vector<Bytes>{{all.data() + all.size() - n, n * sizeof(double)}};
+    });
+    return particles;
   }
 
   double
@@ -45,28 +68,27 @@ TEST_CASE("A checkpoint is read as it was written", "[simulation][mpi]")
   const std::string folder = fresh_folder("checkpoint");
   const CheckpointFolder checkpoints(MPI_COMM_WORLD, folder, 2);
   CHECK_THROWS_AS(checkpoints.read(), InputError);
-  checkpoints.write("step-1", checkpoint_of_this_rank('1'));
+  write(checkpoints, "step-1", '1');
 
   const Checkpoint read = checkpoints.read();
   CHECK(read.version == "magmpm test");
   CHECK(read.parameters == "set Dimension = 2\n");
-  CHECK(read.run == std::vector<char>{'r', 'u', 'n', '1'});
-  CHECK(read.particles == checkpoint_of_this_rank('1').particles);
+  CHECK(section_named("run", read.sections) == "run1");
+  const Particles particles = read_particles(checkpoints);
+  CHECK(particles == particles_of_this_rank());
 
-  const Checkpoint all = CheckpointFolder(MPI_COMM_SELF, folder, 2).read();
-  REQUIRE(all.particles.size() == 2);
-  CHECK(all.particles[0].size() == 2 * static_cast<std::size_t>(n_ranks()));
-  CHECK(std::accumulate(all.particles[1].begin(), all.particles[1].end(), 0.) ==
-        sum_over_ranks(read.particles[1]));
+  const Particles all = read_particles(CheckpointFolder(MPI_COMM_SELF, folder, 2));
+  REQUIRE(all.size() == 3);
+  CHECK(all[0].size() == 2 * static_cast<std::size_t>(n_ranks()));
+  CHECK(std::accumulate(all[1].begin(), all[1].end(), 0.) == sum_over_ranks(particles[1]));
 
   MPI_Comm half;
   MPI_Comm_split(MPI_COMM_WORLD, this_rank() / 2, this_rank(), &half);
-  const Checkpoint shared = CheckpointFolder(half, folder, 2).read();
-  double sum              = 0.;
-  for (const auto &body : shared.particles)
+  double sum = 0.;
+  for (const auto &body : read_particles(CheckpointFolder(half, folder, 2)))
     sum += std::accumulate(body.begin(), body.end(), 0.);
   MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, half);
-  CHECK(sum == sum_over_ranks(read.particles[0]) + sum_over_ranks(read.particles[1]));
+  CHECK(sum == sum_over_ranks(particles[0]) + sum_over_ranks(particles[1]));
   MPI_Comm_free(&half);
 }
 
@@ -79,9 +101,9 @@ TEST_CASE("The latest checkpoint is a whole one", "[simulation][mpi]")
   const auto exists = [&](const std::string &name) {
     return std::filesystem::exists(folder + "/checkpoint/" + name + "/run.bin");
   };
-  const auto latest_run = [&]() { return checkpoints.read().run.back(); };
+  const auto latest_run = [&]() { return section_named("run", checkpoints.read().sections).back(); };
   for (const char step : {'1', '2', '3'})
-    checkpoints.write(std::string("step-") + step, checkpoint_of_this_rank(step));
+    write(checkpoints, std::string("step-") + step, step);
   MPI_Barrier(MPI_COMM_WORLD);
   CHECK(!exists("step-1"));
   CHECK(exists("step-2"));
@@ -94,9 +116,9 @@ TEST_CASE("The latest checkpoint is a whole one", "[simulation][mpi]")
     }
   MPI_Barrier(MPI_COMM_WORLD);
   CHECK(latest_run() == '3');
-  checkpoints.write("step-4", checkpoint_of_this_rank('4'));
+  write(checkpoints, "step-4", '4');
   CHECK(latest_run() == '4');
-  checkpoints.write("step-4", checkpoint_of_this_rank('5'));
+  write(checkpoints, "step-4", '5');
   CHECK(latest_run() == '4');
   checkpoints.clear();
   CHECK_THROWS_AS(checkpoints.read(), InputError);
@@ -107,14 +129,69 @@ TEST_CASE("A checkpoint that cannot be written leaves the one before", "[simulat
   // A folder stands where the file should be that names the next one: all ranks learn of it.
   const std::string folder = fresh_folder("checkpoint-full");
   const CheckpointFolder checkpoints(MPI_COMM_WORLD, folder, 2);
-  checkpoints.write("step-1", checkpoint_of_this_rank('1'));
+  write(checkpoints, "step-1", '1');
   if (this_rank() == 0)
     std::filesystem::create_directories(folder + "/checkpoint/latest.unfinished");
   MPI_Barrier(MPI_COMM_WORLD);
-  CHECK_THROWS_WITH(checkpoints.write("step-2", checkpoint_of_this_rank('2')),
+  CHECK_THROWS_WITH(write(checkpoints, "step-2", '2'),
                     Catch::Matchers::Contains("was not written") &&
                       Catch::Matchers::Contains("is the disk full?"));
-  CHECK(checkpoints.read().run.back() == '1');
+  CHECK(section_named("run", checkpoints.read().sections).back() == '1');
+}
+
+TEST_CASE("A checkpoint of another version is refused by name", "[simulation]")
+{
+  // The number of the format stands in the head of every file, that of a section in its title: each is
+  // compared before what follows it is read.
+  const std::string folder = fresh_folder("checkpoint-version");
+  const CheckpointFolder checkpoints(MPI_COMM_SELF, folder, 2);
+  write(checkpoints, "step-1", '1');
+  std::fstream file(folder + "/checkpoint/step-1/run.bin",
+                    std::ios::binary | std::ios::in | std::ios::out);
+  file.seekp(std::string("magmpm checkpoint ").size());
+  file << '1' << std::flush;
+  CHECK_THROWS_WITH(checkpoints.read(),
+                    Catch::Matchers::Contains("has version 1 of the format of checkpoints, this "
+                                              "magmpm reads version 2"));
+
+  const std::vector<SectionTitle> mine = {{"scene", 1}, {"magnetics", 2}};
+  CHECK_NOTHROW(check_titles({{"magnetics", 2}, {"scene", 1}}, mine));
+  CHECK_THROWS_WITH(check_titles({{"scene", 1}, {"magnetics", 1}}, mine),
+                    Catch::Matchers::Contains("section 'magnetics' of the checkpoint has version 1, "
+                                              "this magmpm reads version 2"));
+  CHECK_THROWS_WITH(check_titles({{"scene", 1}}, mine),
+                    Catch::Matchers::Contains("has no section 'magnetics'"));
+  CHECK_THROWS_WITH(check_titles({{"scene", 1}, {"magnetics", 2}, {"tension", 1}}, mine),
+                    Catch::Matchers::Contains("'tension' that this magmpm does not know"));
+}
+
+TEST_CASE("A damaged checkpoint is noticed", "[simulation]")
+{
+  // One bit is flipped in each byte of a file of particles in turn, numbers of particles included, which
+  // must not be believed: whatever it hits is refused.
+  const std::string folder = fresh_folder("checkpoint-damaged");
+  const CheckpointFolder checkpoints(MPI_COMM_SELF, folder, 2);
+  write(checkpoints, "step-1", '1');
+  const std::string path = folder + "/checkpoint/step-1/particles-00000.bin";
+  const auto size        = static_cast<long>(std::filesystem::file_size(path));
+  for (long place = 0; place < size; ++place)
+    {
+      std::fstream file(path, std::ios::binary | std::ios::in | std::ios::out);
+      const auto flip = [&]() {
+        file.seekg(place);
+        const char byte = static_cast<char>(file.get() ^ 0x40);
+        file.seekp(place);
+        file.put(byte).flush();
+      };
+      // What fills up the head means nothing.
+      const bool is_padding = (place >= 20 && place < 32) || (place >= 44 && place < 48);
+      flip();
+      CAPTURE(place);
+      if (!is_padding)
+        CHECK_THROWS_AS(read_particles(checkpoints), RunError);
+      flip();
+    }
+  CHECK(read_particles(checkpoints) == particles_of_this_rank());
 }
 
 TEST_CASE("Parameters that particles depend on are told from others", "[simulation]")

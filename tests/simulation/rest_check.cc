@@ -11,12 +11,10 @@ TEST_CASE("rest must last to end a run", "[simulation]")
   parameters.stops    = true;
   parameters.speed    = 0.1;
   parameters.duration = 0.5;
-  const RestCheck rest(parameters);
-  RunState state;
+  RestCheck rest(parameters);
   const auto look = [&](const double time, const double speed) {
-    state.time = time;
-    rest.note_speed(speed * speed, state);
-    return rest.is_over(state);
+    rest.note_speed(speed * speed, time);
+    return rest.is_over(time);
   };
   CHECK_FALSE(look(0.9, 0.2));
   CHECK_FALSE(look(1., 0.09));
@@ -27,10 +25,8 @@ TEST_CASE("rest must last to end a run", "[simulation]")
   CHECK(look(2.1, 0.05));
 
   // Whoever does not ask for it does not get it, and nobody looks.
-  CHECK_FALSE(RestCheck(RestParameters()).is_over(state));
-  state.step = 10;
-  CHECK(rest.is_due(state));
-  CHECK_FALSE(RestCheck(RestParameters()).is_due(state));
-  state.step = 11;
-  CHECK_FALSE(rest.is_due(state));
+  CHECK_FALSE(RestCheck(RestParameters()).is_over(2.1));
+  CHECK(rest.is_due(10));
+  CHECK_FALSE(RestCheck(RestParameters()).is_due(10));
+  CHECK_FALSE(rest.is_due(11));
 }

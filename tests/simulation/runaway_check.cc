@@ -56,14 +56,14 @@ namespace
         largest(e.max_inverse_volume_ratio);
         extremes.push_back(e);
       }
-    RunState state;
-    state.time      = 0.5;
-    state.step      = 7;
-    state.time_step = 0.125;
-    state.limit     = "elastic";
+    Clock clock;
+    clock.time      = 0.5;
+    clock.step      = 7;
+    clock.time_step = 0.125;
     try
       {
-        check_for_runaways(bodies, extremes, RunawayLimits(), state, MPI_COMM_WORLD);
+        check_for_runaways(
+          bodies, extremes, RunawayLimits(), clock, "elastic", MPI_COMM_WORLD);
       }
     catch (const RunError &error)
       {

@@ -5,13 +5,8 @@
 namespace magmpm
 {
   /**
-   * Between solves of the potential magnetic particles carry the force as an acceleration a, which goes
-   * on changing at the rate of the last two solves, da/ds = (a_now - a_before)/way: to second order the
-   * force follows the motion, where a constant one would lag behind. s is a way, that of the material
-   * and the sources: a force depends on places, so this holds too where the speed changes.
-   *
-   * Over a way as long as the last one a changes by at most half of itself, so that an impact, or a
-   * magnet switched on, is not carried on.
+   * Between solves of the potential magnetic particles carry the force as an acceleration, which goes on
+   * changing at the rate of the last two solves (coupling/extrapolation.h).
    */
 
   /**
@@ -32,7 +27,7 @@ namespace magmpm
   /** Goes back to the acceleration of the last solve and keeps it. @param way  as for recall. */
   template <int dim>
   void
-  hold_carried_force(const double way, Body<dim> &body);
+  freeze_carried_force(const double way, Body<dim> &body);
 
   /** @param way  in a step [m]. */
   template <int dim>

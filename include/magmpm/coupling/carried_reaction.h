@@ -1,35 +1,55 @@
 #pragma once
 
+#include <magmpm/coupling/section.h>
 #include <magmpm/magnets/source_field.h>
-#include <magmpm/simulation/run_state.h>
 
 #include <vector>
 
 namespace magmpm
 {
+  template <typename Archive, int dim>
+  void
+  serialize(Archive &archive, ForceAndTorque<dim> &value, const unsigned int /*version*/)
+  {
+    archive &value.force;
+    archive &value.torque;
+  }
+
   /**
    * The force and torque of the material on magnets between two solves: like the force that particles
    * carry (coupling/carried_force.h) they go on changing at the rate of the last two solves, per way
-   * of the fastest particle, and no faster than by half of themselves over a way as long as the last.
+   * of the fastest particle.
    */
-
-  /** Takes what a solve found. @param way  since the last solve for which this was called, or 0 [m]. */
   template <int dim>
-  void
-  set_reactions(std::vector<ForceAndTorque<dim>> found,
-                const double way,
-                CarriedReactions &reactions);
+  class CarriedReactions
+  {
+  public:
+    /** Takes what a solve found. @param way  since the last solve for which this was called, or 0 [m]. */
+    void
+    set(const std::vector<ForceAndTorque<dim>> &found, const double way);
 
-  /** @param way  [m] */
-  void
-  advance_reactions(const double way, CarriedReactions &reactions);
+    /** @param way  [m] */
+    void
+    advance(const double way);
 
-  /** Goes back to what was found at the last solve, @p way [m] ago, and stays there. */
-  void
-  hold_reactions(const double way, CarriedReactions &reactions);
+    /** Goes back to what was found at the last solve, @p way [m] ago, and stays there. */
+    void
+    freeze(const double way);
 
-  /** On one source; zero before anything was found. */
-  template <int dim>
-  ForceAndTorque<dim>
-  reaction_on(const std::size_t source, const CarriedReactions &reactions);
+    /** On one source; zero before anything was found. */
+    ForceAndTorque<dim>
+    on(const std::size_t source) const;
+
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &now;
+      archive &rate;
+    }
+
+  private:
+    std::vector<ForceAndTorque<dim>> now;  ///< by source
+    std::vector<ForceAndTorque<dim>> rate; ///< per way of the fastest particle [.../m]
+  };
 } // namespace magmpm

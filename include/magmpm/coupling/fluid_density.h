@@ -1,28 +1,63 @@
 #pragma once
 
-#include <magmpm/mesh/block_partition.h>
+#include <magmpm/coupling/clock.h>
+#include <magmpm/coupling/coupling.h>
 #include <magmpm/coupling/density_relaxation.h>
-
-#include <mpi.h>
+#include <magmpm/lattice/lattice.h>
+#include <magmpm/lattice/node_field.h>
+#include <magmpm/mesh/block_partition.h>
+#include <magmpm/particles/body.h>
+#include <magmpm/particles/box_faces.h>
 
 #include <vector>
 
 namespace magmpm
 {
   /**
-   * Draws the J of fluids towards that of the lattice, see density_relaxation.h. Collective.
-   *
-   * @param time     since the last time [s].
-   * @param scratch  a field on the blocks of @p partition; its values are lost.
-   * @return mean |J - J of the lattice| before, of particles that are not next to a free surface.
+   * Draws the J of fluids towards that of the lattice every few steps, see density_relaxation.h. A scene
+   * without fluids pays nothing.
    */
   template <int dim>
-  double
-  relax_density(const double time,
-                const BlockPartition<dim> &partition,
-                const Lattice<dim> &lattice,
-                const OpenFaces<dim> &open,
-                const MPI_Comm communicator,
-                NodeField<dim> &scratch,
-                std::vector<Body<dim>> &bodies);
+  class FluidDensity : public Coupling
+  {
+  public:
+    /** @param open  faces of the box that are no walls. */
+    FluidDensity(const Lattice<dim> &lattice, const OpenFaces<dim> &open);
+
+    /**
+     * Collective.
+     *
+     * @param scratch  a field on the blocks of @p partition; its values are lost.
+     */
+    void
+    relax(const Clock &clock,
+          const BlockPartition<dim> &partition,
+          NodeField<dim> &scratch,
+          std::vector<Body<dim>> &bodies);
+
+    void
+    reduce(parallel::Reduction &reduction) override;
+
+    void
+    take_reduced() override;
+
+    void
+    add_columns(ColumnTable &table) const override;
+
+    SectionTitle
+    title() const override;
+
+    std::string
+    save() const override;
+
+    void
+    load(const std::string &bytes) override;
+
+  private:
+    const Lattice<dim> lattice;
+    const OpenFaces<dim> open;
+    bool relaxed_this_step = false;
+    DensityError found;       ///< by the last relaxation
+    double mean_error = 0.; ///< |J - J of the lattice| before it, of particles not next to a free surface
+  };
 } // namespace magmpm

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <magmpm/simulation/run_state.h>
+#include <magmpm/coupling/carried_reaction.h>
 #include <magmpm/magnets/external_field.h>
 
 #include <vector>
@@ -20,7 +20,7 @@ namespace magmpm
      * sources do is evaluated when one of them has moved or changed since it was asked for last.
      */
     std::vector<ForceAndTorque<dim>>
-    total(const CarriedReactions &reactions);
+    total(const CarriedReactions<dim> &reactions);
 
     /**
      * An upper bound of how fast a free magnet turns to and fro in the field of the others: the angular

@@ -1,11 +1,18 @@
 #pragma once
 
+#include <magmpm/coupling/carried_reaction.h>
+#include <magmpm/coupling/clock.h>
+#include <magmpm/coupling/coupling.h>
+#include <magmpm/coupling/solve_trigger_parameters.h>
+#include <magmpm/elliptic/solve_report.h>
+#include <magmpm/lattice/lattice.h>
 #include <magmpm/lattice/node_field.h>
+#include <magmpm/magnetics/magnetics_parameters.h>
 #include <magmpm/magnets/external_field.h>
-#include <magmpm/parameters/parameters.h>
+#include <magmpm/mesh/background_mesh.h>
+#include <magmpm/mesh/block_partition.h>
+#include <magmpm/parallel/phase_timer.h>
 #include <magmpm/particles/body.h>
-#include <magmpm/simulation/domain_decomposition.h>
-#include <magmpm/simulation/run_state.h>
 
 #include <mpi.h>
 
@@ -13,58 +20,122 @@
 #include <optional>
 #include <vector>
 
-namespace magmpm::parallel
-{
-  class PhaseTimer;
-}
-
 namespace magmpm
 {
   template <int dim>
   class PotentialProblem;
 
+  /** What the magnetic coupling takes from the parameters of a scene. */
+  template <int dim>
+  struct MagneticCouplingParameters
+  {
+    Lattice<dim> lattice;
+    MagneticsParameters<dim> magnetics;
+    SolveTriggerParameters trigger;
+    bool moves_magnets = false; ///< whether a magnet is free, so that each solve finds what moves it
+  };
+
+  /** How far the material has moved since the last solve, on which the carried force depends. */
+  struct SolveAge
+  {
+    double drift       = 0.; ///< the longest way of magnetic particles, or more [m]
+    double path        = 0.; ///< the sum of the steps of the fastest particles [m]
+    double carried_way = 0.; ///< for which the carried force was advanced [m]
+
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &drift;
+      archive &path;
+      archive &carried_way;
+    }
+  };
+
+  /** What the magnetic coupling must remember from step to step. */
+  template <int dim>
+  struct MagneticState
+  {
+    bool is_over                = false; ///< the magnets act no more (MagneticCoupling::end())
+    unsigned int n_solves       = 0;     ///< of the potential, so far
+    bool solved_this_step       = false;
+    unsigned int step_of_solve  = 0; ///< the last one
+    double time_of_solve        = 0.; ///< [s]
+    SolveReport report;              ///< of the last one
+    Vector<dim> dropped_force;       ///< at the last solve, on no mass: reaches no particle [N]
+    SolveAge age;
+    CarriedReactions<dim> reactions; ///< empty until somebody asks for them
+    unsigned int solve_of_reactions = 0; ///< n_solves when they were found
+    double max_wave_speed           = 0.; ///< that magnetization adds [m/s]
+    double max_acceleration         = 0.; ///< of a particle by magnets [m/s^2]
+
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &is_over;
+      archive &n_solves;
+      archive &solved_this_step;
+      archive &step_of_solve;
+      archive &time_of_solve;
+      archive &report;
+      archive &dropped_force;
+      archive &age;
+      archive &reactions;
+      archive &solve_of_reactions;
+      archive &max_wave_speed;
+      archive &max_acceleration;
+    }
+  };
+
   /**
    * The potential problem and the particles that make its material and carry its force: when it is
-   * solved, and what happens to the force between two solves. What it must remember of them is part of
-   * the RunState, so that a checkpoint holds it.
+   * solved, and what happens to the force between two solves. Without magnetic material it costs nothing.
    */
   template <int dim>
-  class MagneticCoupling
+  class MagneticCoupling : public Coupling
   {
   public:
-    /** All of these must outlive this object. */
-    MagneticCoupling(const Parameters<dim> &parameters,
-                     const DomainDecomposition<dim> &decomposition,
+    /** @param external_field, timer  must outlive this object. */
+    MagneticCoupling(const MagneticCouplingParameters<dim> &parameters,
                      ExternalField<dim> &external_field,
                      parallel::PhaseTimer &timer,
                      const MPI_Comm communicator);
-    ~MagneticCoupling();
+    ~MagneticCoupling() override;
+
+    /** Prepares the potential problem of a scene with magnetic material; both must outlive its solves. */
+    void
+    set_up(const BackgroundMesh<dim> &mesh, const BlockPartition<dim> &partition);
+
+    /** Lets go of mesh and partition, which may end after this; until set_up() nothing is solved. */
+    void
+    reset();
 
     /**
-     * Whether the force that particles carry no longer serves. Lets it rest at its last value if the
-     * material only vibrates. Collective.
-     */
-    bool
-    is_due(std::vector<Body<dim>> &bodies, RunState &state) const;
-
-    /** Solves the potential and lets the particles carry the force, Eqs. (25-33). Collective. */
-    void
-    solve(std::vector<Body<dim>> &bodies, RunState &state);
-
-    /** Lets the force that particles carry follow the motion since the last solve. */
-    void
-    advance_force(std::vector<Body<dim>> &bodies, RunState &state) const;
-
-    /**
-     * Finds what the material does to the sources, if the last solve did not and its mesh is still
-     * there. Collective.
+     * Brings the force that particles carry to the present step: solves the potential if it no longer
+     * serves, Eqs. (25)-(33) of Sun et al. 2021. Collective.
      */
     void
-    update_reactions(RunState &state) const;
+    update(const Clock &clock, std::vector<Body<dim>> &bodies);
+
+    /** The fastest particle went this way in a step [m]. */
+    void
+    note_motion(const double way);
+
+    /** Makes an end of the magnets: particles carry no force of them, and the potential is not solved again. */
+    void
+    end(std::vector<Body<dim>> &bodies);
 
     /** Finds the potential on the present mesh, if that changed since the last solve. Collective. */
     void
-    solve_for_output(std::vector<Body<dim>> &bodies, RunState &state);
+    solve_for_output(std::vector<Body<dim>> &bodies);
+
+    /** Whether there is a potential, and potential() may be asked for. */
+    bool
+    is_active() const
+    {
+      return problem != nullptr;
+    }
 
     const PotentialProblem<dim> &
     potential() const
@@ -72,35 +143,89 @@ namespace magmpm
       return *problem;
     }
 
+    const MagneticState<dim> &
+    state() const
+    {
+      return memory;
+    }
+
+    void
+    limit_step(StepConditions &conditions) const override;
+
+    /** Finds what the material does to the sources, if the last solve did not and its mesh is still there. */
+    void
+    prepare_row() override;
+
+    void
+    add_columns(ColumnTable &table) const override;
+
+    SectionTitle
+    title() const override;
+
+    std::string
+    save() const override;
+
+    void
+    load(const std::string &bytes) override;
+
   private:
+    /** Lets the carried force follow the motion since the last solve. */
+    void
+    advance_force(std::vector<Body<dim>> &bodies);
+
+    /**
+     * Finds the drift exactly, if its upper bound is beyond what is tolerated. Lets the force rest at its
+     * last value if the material only vibrates. Collective.
+     */
+    void
+    update_age(std::vector<Body<dim>> &bodies);
+
+    /** Whether the force that particles carry no longer serves. */
+    bool
+    is_due(const Clock &clock) const;
+
+    /** By how much material may move between two solves [m]. */
+    double
+    tolerated_drift() const;
+
+    /** Solves the potential and lets the particles carry the force. */
+    void
+    solve(const Clock &clock, std::vector<Body<dim>> &bodies);
+
     /** Finds the potential of the present material, Eqs. (25)-(30). */
     void
-    solve_potential(std::vector<Body<dim>> &bodies, RunState &state);
+    solve_potential(std::vector<Body<dim>> &bodies);
 
     /** The densities of grains on the nodes, summed over the ranks, ghosts up to date. */
     NodeField<dim>
     magnetic_content(std::vector<Body<dim>> &bodies) const;
 
-    /** What the material does to the sources. @param way  since they were found last, or 0 [m]. */
-    void
-    find_reactions(const double way, RunState &state) const;
-
     /** Accelerations of the nodes [m/s^2] by the magnetic force. */
     NodeField<dim>
-    nodal_accelerations(std::vector<Body<dim>> &bodies, RunState &state) const;
+    nodal_accelerations(std::vector<Body<dim>> &bodies);
 
     /** Gives particles the accelerations of the nodes [m/s^2], and their rate of change. */
     void
-    carry_force(const NodeField<dim> &accelerations,
-                std::vector<Body<dim>> &bodies,
-                RunState &state) const;
+    carry_force(const NodeField<dim> &accelerations, std::vector<Body<dim>> &bodies);
 
-    const Parameters<dim> &parameters;
-    const DomainDecomposition<dim> &decomposition;
+    /** What the material does to the sources. @param way  since they were found last, or 0 [m]. */
+    void
+    find_reactions(const double way);
+
+    /** The extremes over all particles that limit the time step. */
+    void
+    find_limits(const std::vector<Body<dim>> &bodies);
+
+    const MagneticCouplingParameters<dim> parameters;
     ExternalField<dim> &external_field;
+    parallel::PhaseTimer &timer;
     const MPI_Comm communicator;
 
-    std::unique_ptr<PotentialProblem<dim>> problem;
+    const BackgroundMesh<dim> *mesh      = nullptr;
+    const BlockPartition<dim> *partition = nullptr;
+    std::unique_ptr<PotentialProblem<dim>> problem;  ///< null without magnetic material
     std::optional<unsigned int> mesh_of_last_solve; ///< its revision
+
+    MagneticState<dim> memory;
   };
 } // namespace magmpm

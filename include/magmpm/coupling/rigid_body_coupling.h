@@ -3,15 +3,14 @@
 #include <magmpm/boundary/lattice_boundary.h>
 #include <magmpm/boundary/rigid_bodies.h>
 #include <magmpm/boundary/rigid_collision.h>
+#include <magmpm/coupling/clock.h>
+#include <magmpm/coupling/coupling.h>
 #include <magmpm/coupling/magnet_forces.h>
 #include <magmpm/coupling/rigid_hold.h>
 #include <magmpm/lattice/node_field.h>
 #include <magmpm/magnets/external_field.h>
-#include <magmpm/parameters/parameters.h>
 #include <magmpm/particles/body.h>
 #include <magmpm/particles/box_faces.h>
-#include <magmpm/simulation/run_state.h>
-#include <magmpm/simulation/time_step_control.h>
 
 #include <mpi.h>
 
@@ -19,58 +18,93 @@
 
 namespace magmpm
 {
+  /** What the coupling of rigid bodies takes from the parameters of a scene. */
+  template <int dim>
+  struct RigidBodyCouplingParameters
+  {
+    Lattice<dim> lattice;
+    WallParameters<dim> walls;
+    Vector<dim> gravity; ///< [m/s^2]
+    std::vector<SourceParameters<dim>> sources;
+    std::vector<RigidBodyParameters<dim>> rigid_bodies;
+  };
+
+  /** What rigid bodies and walls must remember of the particles that they hold. */
+  struct HoldCounts
+  {
+    std::size_t held     = 0; ///< particles put back onto walls so far, all ranks
+    std::size_t inside   = 0; ///< in rigid bodies in the last step, all ranks
+    std::size_t pushed   = 0; ///< out of rigid bodies so far, all ranks
+    double deepest       = 0.; ///< of a particle in a rigid body since the last row, all ranks [m]
+
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &held;
+      archive &inside;
+      archive &pushed;
+      archive &deepest;
+    }
+  };
+
   /**
-   * The rigid bodies and magnets in the time loop: what moves them and what they do to the material.
-   * All ranks hold all of them. A scene without any pays nothing.
+   * Walls, rigid bodies and magnets in the time loop: what moves them and what they do to the material.
+   * All ranks hold all of them. A scene without rigid bodies and magnets pays for walls only.
    */
   template <int dim>
-  class RigidBodyCoupling
+  class RigidBodyCoupling : public Coupling
   {
   public:
-    /** All of these must outlive this object. */
-    RigidBodyCoupling(const Parameters<dim> &parameters,
+    /**
+     * @param external_field  must outlive this object.
+     * @param reactions       of the material on the sources, in the present step; must outlive this object.
+     */
+    RigidBodyCoupling(const RigidBodyCouplingParameters<dim> &parameters,
                       ExternalField<dim> &external_field,
+                      const CarriedReactions<dim> &reactions,
                       const MPI_Comm communicator);
 
     /** Moves sources and bodies to where they are at @p time [s]; free ones stay where they are. */
     void
     set_time(const double time);
 
+    /** What walls and scripted bodies do to the velocity of a node. */
+    const LatticeBoundary<dim> &
+    lattice_boundary() const
+    {
+      return boundary;
+    }
+
     /**
      * Gives free bodies the impulses of gravity and magnetic force, and lets bodies and material collide.
      * Collective if there are free bodies.
      *
-     * @param field  {momentum [kg m/s], mass [kg]} on owned nodes, becomes {velocity [m/s], mass [kg]}.
+     * @param typical_particle_mass  [kg]
+     * @param field                  {velocity [m/s], mass [kg]} on owned nodes.
      */
     void
-    update_lattice(const BlockSet<dim> &blocks,
-                   const double typical_particle_mass,
-                   const RunState &state,
-                   NodeField<dim> &field);
+    collide(const Clock &clock,
+            const BlockSet<dim> &blocks,
+            const double typical_particle_mass,
+            NodeField<dim> &field);
 
     /** Moves free bodies by a step with their momenta. */
     void
-    advance(RunState &state);
+    advance(const Clock &clock);
 
     /**
-     * Puts particles back that came through walls or deep into bodies, counts them, and gives free bodies
-     * the momentum that they lost. One sum over the ranks.
-     *
-     * @return the longest way that a particle was put [m], of all ranks, or more; onto a wall: zero.
+     * Puts particles back that came through walls or deep into bodies, on this rank. take_reduced() gives
+     * free bodies the momentum that these lost.
      */
-    double
+    void
     hold_particles(const BlockSet<dim> &blocks,
                    const OpenFaces<dim> &open,
-                   std::vector<Body<dim>> &bodies,
-                   RunState &state);
+                   std::vector<Body<dim>> &bodies);
 
-    /** What of the bodies limits the next step. */
-    void
-    update_step_conditions(const RunState &state, StepConditions &conditions);
-
-    /** Goes back to where the free bodies of a record are (RigidBodies::record()). */
-    void
-    restore(const std::vector<double> &record);
+    /** The longest way that hold_particles() put a particle of any rank, or more [m]; known after take_reduced(). */
+    double
+    longest_push() const;
 
     const RigidBodies<dim> &
     bodies() const
@@ -78,37 +112,74 @@ namespace magmpm
       return rigid_bodies;
     }
 
-    /** Force and torque on each source, about its position. */
+    /** Force and torque on each source, about its position, by the material and by other sources. */
     std::vector<ForceAndTorque<dim>>
-    forces_on_magnets(const RunState &state)
+    forces_on_magnets()
     {
-      return magnet_forces.total(state.reactions);
+      return magnet_forces.total(reactions);
     }
+
+    void
+    limit_step(StepConditions &conditions) const override;
+
+    void
+    reduce(parallel::Reduction &reduction) override;
+
+    void
+    take_reduced() override;
+
+    void
+    prepare_row() override;
+
+    void
+    end_row() override;
+
+    /**
+     * Force and torque of each magnet that has a place, pose and motion of each rigid body that is not a
+     * scripted magnet, and, if there is any rigid body with a surface, how deep particles are in these.
+     */
+    void
+    add_columns(ColumnTable &table) const override;
+
+    SectionTitle
+    title() const override;
+
+    std::string
+    save() const override;
+
+    void
+    load(const std::string &bytes) override;
 
   private:
     /** The impulses of gravity and magnetic force in a step. */
     void
-    accelerate(const RunState &state);
+    accelerate(const double time_step);
+
+    /** Forces on the sources, if a magnet is free; otherwise nobody needs them, and there are none. */
+    std::vector<ForceAndTorque<dim>>
+    forces_on_free_magnets() const;
 
     /** Magnetic force on a body and torque about its centre of mass, from those about its source. */
     ForceAndTorque<dim>
     magnetic_force(const std::size_t body, const std::vector<ForceAndTorque<dim>> &forces) const;
 
-    /** Puts particles out that got deep into bodies. @return by body, on this rank. */
-    std::vector<RigidHold<dim>>
-    push_out(const BlockSet<dim> &blocks, std::vector<Body<dim>> &bodies) const;
-
-    /** Counts what push_out() of all ranks together did, and gives free bodies the momentum. */
+    /** Columns of the pose and motion of a rigid body. */
     void
-    take_pushed(const std::vector<RigidHold<dim>> &pushed, RunState &state);
+    add_pose(const RigidBody<dim> &body, ColumnTable &table) const;
 
-    const Parameters<dim> &parameters;
+    const RigidBodyCouplingParameters<dim> parameters;
     ExternalField<dim> &external_field;
+    const CarriedReactions<dim> &reactions;
     const MPI_Comm communicator;
 
     RigidBodies<dim> rigid_bodies;
     const LatticeBoundary<dim> boundary;
     const RigidCollision<dim> collision;
-    MagnetForces<dim> magnet_forces;
+    mutable MagnetForces<dim> magnet_forces; ///< remembers what sources do to each other
+    std::vector<ForceAndTorque<dim>> forces_of_row;
+
+    HoldCounts counts;
+    std::size_t held_now = 0;              ///< onto walls in this step
+    std::vector<RigidHold<dim>> holds_now; ///< by body with a surface, in this step
   };
 } // namespace magmpm

@@ -7,6 +7,14 @@
 
 namespace magmpm
 {
+  /** What of a source ExternalField::change_since_remembered() compares. */
+  template <int dim>
+  struct SourceSnapshot
+  {
+    Vector<dim> strength; ///< [A/m]
+    Pose<dim> pose;
+  };
+
   /** H_ext, the sum of the fields of all sources of a scene. */
   template <int dim>
   class ExternalField
@@ -79,6 +87,16 @@ namespace magmpm
     void
     remember();
 
+    /** What remember() kept, by source; of an earlier run, if @p snapshots come from a checkpoint. */
+    const std::vector<SourceSnapshot<dim>> &
+    remembered() const
+    {
+      return kept;
+    }
+
+    void
+    remember(const std::vector<SourceSnapshot<dim>> &snapshots);
+
     /** Zeros if nothing changed; infinite as long as nothing was remembered. */
     Change
     change_since_remembered() const;
@@ -97,17 +115,10 @@ namespace magmpm
     }
 
   private:
-    /** What change_since_remembered() compares, of one source. */
-    struct Snapshot
-    {
-      Vector<dim> strength;
-      Pose<dim> pose;
-    };
-
     std::vector<std::unique_ptr<MagneticSource<dim>>> all_sources;
     std::vector<const MagneticSource<dim> *> solids;
     std::vector<const MagneticSource<dim> *> refusing; ///< those that refuse material
-    std::vector<Snapshot> remembered;
+    std::vector<SourceSnapshot<dim>> kept;
     bool has_remembered = false;
   };
 } // namespace magmpm

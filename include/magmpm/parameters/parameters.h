@@ -10,7 +10,7 @@
 #include <magmpm/materials/material_parameters.h>
 #include <magmpm/mesh/mesh_parameters.h>
 #include <magmpm/particles/body_parameters.h>
-#include <magmpm/coupling/point_attraction.h>
+#include <magmpm/coupling/attraction.h>
 #include <magmpm/coupling/solve_trigger_parameters.h>
 
 #include <string>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <magmpm/boundary/rigid_bodies.h>
+#include <magmpm/coupling/column_table.h>
 #include <magmpm/parameters/parameters.h>
 #include <magmpm/particles/body.h>
 #include <magmpm/particles/particle_sums.h>
@@ -9,7 +10,6 @@
 #include <magmpm/results/run_log.h>
 #include <magmpm/results/statistics_file.h>
 #include <magmpm/results/surface_output.h>
-#include <magmpm/simulation/run_state.h>
 
 #include <mpi.h>
 
@@ -32,6 +32,20 @@ namespace magmpm
   class NodeField;
   template <int dim>
   class ExternalField;
+
+  /** A frame's number and time [s]. */
+  struct FrameTime
+  {
+    unsigned int number;
+    double time;
+  };
+
+  /** What the first lines of the log tell besides particles. */
+  struct SceneSize
+  {
+    unsigned long long potential_unknowns; ///< 0: no magnetic material
+    double imbalance;                      ///< load of the most loaded rank over the mean
+  };
 
   /** How far the files of a run got, for a checkpoint. */
   struct ResultsProgress
@@ -57,21 +71,23 @@ namespace magmpm
 
   /**
    * The output folder of a run: original.prm, parameters.prm, log.txt, statistics.csv, and the
-   * frames particles.pvd, fields.pvd and surface.pvd. All functions are collective.
+   * frames particles.pvd, fields.pvd, surface.pvd and rigid_bodies.pvd. All functions are collective.
    */
   template <int dim>
   class Results
   {
   public:
     /**
-     * Makes the folder and opens its files.
+     * Opens the files of the folder of results, which must be there.
      *
+     * @param columns   of statistics.csv, before those of the phases.
      * @param phases    timer sections that are columns of the statistics.
      * @param progress  how far an earlier run got: its files go on from there, and what they say of later
      *                  times is taken back. Null: the files are new.
      * @throw RunError if the folder or a file cannot be made, or continued.
      */
     Results(const Parameters<dim> &parameters,
+            const ColumnTable &columns,
             const std::vector<std::string> &phases,
             const MPI_Comm communicator,
             const ResultsProgress *progress = nullptr);
@@ -85,15 +101,15 @@ namespace magmpm
 
     /** The first lines of the log. */
     void
-    write_header(const RunState &state, const std::vector<Body<dim>> &bodies);
+    write_header(const SceneSize &size, const std::vector<Body<dim>> &bodies);
 
     /** particles.pvd, if the scene wants it. */
     void
-    write_particles(const RunState &state, const std::vector<Body<dim>> &bodies);
+    write_particles(const FrameTime &frame, const std::vector<Body<dim>> &bodies);
 
     /** surface.pvd, if the scene wants it. */
     void
-    write_surface(const RunState &state, const std::vector<Body<dim>> &bodies);
+    write_surface(const FrameTime &frame, const std::vector<Body<dim>> &bodies);
 
     /** Whether the scene has a potential and wants its fields written. */
     bool
@@ -104,35 +120,23 @@ namespace magmpm
 
     /** fields.pvd; only if writes_fields(). For the arguments see FieldOutput::write_frame(). */
     void
-    write_fields(const RunState &state,
+    write_fields(const FrameTime &frame,
                  const PotentialProblem<dim> &potential,
                  const ExternalField<dim> &sources);
 
     /** rigid_bodies.pvd, where magnets and rigid bodies are now. */
     void
-    write_rigid_bodies(const RunState &state,
+    write_rigid_bodies(const FrameTime &frame,
                        const ExternalField<dim> &sources,
                        const RigidBodies<dim> &bodies);
 
-    /** The line of a frame on the terminal. */
+    /** The line of a frame on the terminal. @param n_solves  of the potential, so far. */
     void
-    report_frame(const RunState &state);
+    report_frame(RunLog::Frame frame, const unsigned int n_solves);
 
-    /**
-     * One row of statistics.csv.
-     *
-     * @param sums                    of each body, over all ranks.
-     * @param fewest_particles        held by a rank.
-     * @param seconds                 of each phase so far, on this rank.
-     * @param forces                  on each source.
-     */
+    /** One row of statistics.csv. @param seconds  of each phase so far, on this rank. */
     void
-    write_statistics(const RunState &state,
-                     const std::vector<ParticleSums<dim>> &sums,
-                     const double fewest_particles,
-                     const std::map<std::string, double> &seconds,
-                     const RigidBodies<dim> &rigid_bodies,
-                     const std::vector<ForceAndTorque<dim>> &forces);
+    write_row(const std::map<std::string, double> &seconds);
 
     /** How far the files got; what counts is that of rank 0. */
     ResultsProgress
@@ -145,10 +149,11 @@ namespace magmpm
   private:
     const Parameters<dim> parameters;
     const MPI_Comm communicator;
+    const ColumnTable columns;
     const std::vector<std::string> phases;
 
+    StatisticsFile statistics; ///< first: it may refuse to go on, before anything is changed
     RunLog run_log;
-    StatisticsFile statistics;
     ParticleOutput<dim> particle_output;
     std::unique_ptr<FieldOutput<dim>> field_output;          ///< null without magnetic material
     std::unique_ptr<RigidBodyOutput<dim>> rigid_body_output; ///< null before the first frame

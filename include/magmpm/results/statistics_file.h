@@ -1,6 +1,7 @@
 #pragma once
 
 #include <magmpm/base/tensor.h>
+#include <magmpm/coupling/column_table.h>
 
 #include <mpi.h>
 
@@ -26,11 +27,11 @@ namespace magmpm
     }
   };
 
-  /** The letter of a component of a vector of @p n: x, y, z; z for an axial vector in 2D. */
-  inline char
-  component_letter(const int component, const int n)
+  /** Name of the column with the seconds of one phase of the algorithm. */
+  inline std::string
+  phase_column(const std::string &phase)
   {
-    return n == 1 ? 'z' : "xyz"[component];
+    return "wall time: " + phase;
   }
 
   /**
@@ -47,12 +48,12 @@ namespace magmpm
   public:
     /**
      * Opens the file (an old one is lost) and writes the headings; or goes on with the file of an earlier
-     * run.
+     * run. Collective.
      *
      * @param size_to_keep  bytes of the earlier file that count, from size(); what follows is cut off.
      *                      Zero: a new file.
-     * @throw RunError on rank 0 if the file cannot be opened, or the earlier one is shorter than that or
-     *                 has other columns.
+     * @throw RunError on all ranks if the file cannot be opened, or the earlier one is shorter than that
+     *                 or has other columns: then it stays as it is.
      */
     StatisticsFile(const MPI_Comm communicator,
                    const std::string &path,

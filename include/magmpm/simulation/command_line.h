@@ -1,5 +1,7 @@
 #pragma once
 
+#include <magmpm/simulation/start.h>
+
 #include <string>
 #include <vector>
 
@@ -18,7 +20,7 @@ namespace magmpm
     };
 
     Task task   = Task::run;
-    bool resume = false;                ///< from the latest checkpoint
+    Start start = Start::afresh;
     std::string file;                   ///< empty if the task needs none
     std::vector<std::string> overrides; ///< what follows each --set
   };

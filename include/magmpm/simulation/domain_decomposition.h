@@ -27,6 +27,10 @@ namespace magmpm
   std::string
   report(const Regrouping &regrouping, const double time);
 
+  /** A sentence about the work of the ranks, dealt out anew. */
+  std::string
+  report(const MeshAdaptation &mesh, const int n_ranks);
+
   /**
    * Which rank holds which part of the box: the mesh, the blocks around the particles, and the
    * particles, each on the rank and in the slot of its block.
@@ -43,6 +47,17 @@ namespace magmpm
      */
     Regrouping
     regroup(std::vector<Body<dim>> &bodies);
+
+    /** In a step no particle of any rank went further than this [m]. */
+    void
+    note_motion(const double way)
+    {
+      drift += way;
+    }
+
+    /** Whether a particle could leave the arena of its block in the next step. */
+    bool
+    regrouping_is_due() const;
 
     const BackgroundMesh<dim> &
     mesh() const
@@ -75,5 +90,6 @@ namespace magmpm
     const bool has_force; ///< of magnets
     BackgroundMesh<dim> background_mesh;
     BlockPartition<dim> block_partition;
+    double drift = 0.; ///< the longest way that a particle can have gone since they were grouped [m]
   };
 } // namespace magmpm

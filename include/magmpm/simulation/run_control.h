@@ -9,8 +9,9 @@ namespace magmpm
 {
   /**
    * What is asked of a run from outside, while it runs: to end after the step it is in, or to write a
-   * checkpoint because the last one is old. Asks for an end: SIGTERM, SIGUSR1 (what batch systems send
-   * before their time limit), a file `stop` in the output directory, and the end of the wall time.
+   * checkpoint because the last one is old. Asks for an end: SIGTERM, SIGINT (Ctrl-C; a
+   * second one ends the program at once), SIGUSR1 (what batch systems send before their time limit), a
+   * file `stop` in the output directory, and the end of the wall time.
    *
    * Each rank sees requests of its own; the largest of all ranks is that of the run.
    */
@@ -23,10 +24,11 @@ namespace magmpm
       checkpoint,
       stop_after_wall_time,
       stop_by_file,
-      stop_by_signal
+      stop_by_signal,
+      stop_by_interrupt
     };
 
-    /** Takes the two signals over. The clock starts. @param rank  of this process; rank 0 watches file and clock. */
+    /** Takes the signals over. The clock starts. @param rank  of this process; rank 0 watches file and clock. */
     RunControl(const CheckpointParameters &parameters,
                const std::string &output_directory,
                const unsigned int rank);
@@ -60,6 +62,7 @@ namespace magmpm
     const bool is_watching; ///< file and clock
     const Clock::time_point start;
     Clock::time_point last_checkpoint;
-    void (*earlier_handlers[2])(int);
+    static constexpr int n_signals = 3;
+    void (*earlier_handlers[n_signals])(int);
   };
 } // namespace magmpm

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <magmpm/parameters/run_parameters.h>
-#include <magmpm/simulation/run_state.h>
+#include <magmpm/coupling/clock.h>
 #include <magmpm/particles/body.h>
 #include <magmpm/particles/particle_grid_transfer.h>
 
@@ -20,7 +20,8 @@ namespace magmpm
    * Notices a run that has gone astray in the step in which it happens. Collective.
    *
    * @param extremes  of each body after the step, over all ranks.
-   * @param state     where the run is, for the message; its step is the one before.
+   * @param clock     where the scene is, for the message; its step is the one before.
+   * @param limit     of the time step, likewise.
    * @throw RunError  on all ranks, naming the particle furthest beyond a limit, time and values.
    */
   template <int dim>
@@ -28,6 +29,7 @@ namespace magmpm
   check_for_runaways(const std::vector<Body<dim>> &bodies,
                      const std::vector<ParticleExtremes> &extremes,
                      const RunawayLimits &limits,
-                     const RunState &state,
+                     const Clock &clock,
+                     const std::string &limit,
                      const MPI_Comm communicator);
 } // namespace magmpm

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <magmpm/coupling/step_conditions.h>
 #include <magmpm/parameters/run_parameters.h>
 
 #include <string>
@@ -14,35 +15,6 @@ namespace magmpm
   {
     double length = 0.; ///< dt [s]
     std::string limit;  ///< elastic, viscous, force, affine, rotation, maximum, frame end or fixed
-  };
-
-  /** The state of the material that limits the next step, extremes over all particles and ranks. */
-  struct StepConditions
-  {
-    double signal_speed        = 0.; ///< wave speed of the deformed material + |v| [m/s]
-    double magnetic_wave_speed = 0.; ///< sqrt(mu_0 |M|^2/rho) [m/s]
-    double collider_speed      = 0.; ///< [m/s]
-    double kinematic_viscosity = 0.; ///< J mu_N/rho_0 [m^2/s]
-    double acceleration        = 0.; ///< of gravity and magnets [m/s^2]
-    double affine_velocity     = 0.; ///< |C| [1/s]
-    double rigid_acceleration  = 0.; ///< of free rigid bodies [m/s^2]
-    double rotation_rate       = 0.; ///< of free rigid bodies: how fast they turn or swing [1/s]
-    double attraction          = 0.; ///< of the artificial attraction [m/s^2]
-
-    template <typename Archive>
-    void
-    serialize(Archive &archive, const unsigned int /*version*/)
-    {
-      archive &signal_speed;
-      archive &magnetic_wave_speed;
-      archive &collider_speed;
-      archive &kinematic_viscosity;
-      archive &acceleration;
-      archive &affine_velocity;
-      archive &rigid_acceleration;
-      archive &rotation_rate;
-      archive &attraction;
-    }
   };
 
   /**

@@ -1,6 +1,6 @@
 #include "catch.h"
 
-#include <magmpm/coupling/point_attraction.h>
+#include <magmpm/coupling/attraction.h>
 
 using namespace magmpm;
 

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <magmpm/coupling/coupling.h>
 #include <magmpm/particles/body.h>
+
+#include <mpi.h>
 
 #include <string>
 #include <vector>
@@ -52,4 +55,57 @@ namespace magmpm
   template <int dim>
   Vector<dim>
   force_of(const PointAttraction<dim> &attraction, const Body<dim> &body);
+
+  /** The artificial attraction in the time loop. A scene without it pays nothing. */
+  template <int dim>
+  class Attraction : public Coupling
+  {
+  public:
+    explicit Attraction(const PointAttraction<dim> &parameters);
+
+    /** Whether it is to have the total force of the magnets at the start, and does not have it yet. */
+    bool
+    waits_for_match() const
+    {
+      return attraction.matches_magnets && attraction.acceleration == 0.;
+    }
+
+    /**
+     * Gives it the total force, in size, of the magnets. Collective.
+     *
+     * @param magnetic_force  on all bodies [N].
+     * @throw RunError        if it or that of the attraction is zero.
+     */
+    void
+    match(const Vector<dim> &magnetic_force,
+          const std::vector<Body<dim>> &bodies,
+          const MPI_Comm communicator);
+
+    /** Gives the particles the impulse of a step. @param time_step  [s] */
+    void
+    act(const double time_step, std::vector<Body<dim>> &bodies);
+
+    /** A line on it for the log; empty without an attraction. */
+    std::string
+    description() const;
+
+    void
+    limit_step(StepConditions &conditions) const override;
+
+    void
+    reduce(parallel::Reduction &reduction) override;
+
+    SectionTitle
+    title() const override;
+
+    std::string
+    save() const override;
+
+    void
+    load(const std::string &bytes) override;
+
+  private:
+    PointAttraction<dim> attraction;
+    double max_acceleration = 0.; ///< of a particle in the last step [m/s^2]
+  };
 } // namespace magmpm

@@ -1,0 +1,272 @@
+#include <magmpm/boundary/momentum_update.h>
+#include <magmpm/particles/particle_grid_transfer.h>
+#include <magmpm/particles/seeding.h>
+#include <magmpm/simulation/runaway_check.h>
+#include <magmpm/simulation/scene.h>
+#include <magmpm/simulation/time_step_control.h>
+
+#include <algorithm>
+
+namespace magmpm
+{
+  namespace
+  {
+    using Scope = parallel::PhaseTimer::Scope;
+
+    template <int dim>
+    OpenFaces<dim>
+    open_faces(const WallParameters<dim> &walls)
+    {
+      OpenFaces<dim> open;
+      for (std::size_t face = 0; face < open.size(); ++face)
+        open[face] = (walls.condition[face] == WallCondition::open);
+      return open;
+    }
+
+    template <int dim>
+    MagneticCouplingParameters<dim>
+    magnetic_part(const Parameters<dim> &parameters)
+    {
+      const bool moves_magnets = std::any_of(parameters.sources.begin(),
+                                             parameters.sources.end(),
+                                             [](const auto &source) { return source.is_free; });
+      return {parameters.lattice, parameters.magnetics, parameters.solve_trigger, moves_magnets};
+    }
+
+    template <int dim>
+    RigidBodyCouplingParameters<dim>
+    rigid_part(const Parameters<dim> &parameters)
+    {
+      return {parameters.lattice,
+              parameters.walls,
+              parameters.gravity,
+              parameters.sources,
+              parameters.rigid_bodies};
+    }
+
+    /** The largest mass of an undeformed particle [kg]. */
+    template <int dim>
+    double
+    typical_particle_mass(const Parameters<dim> &parameters)
+    {
+      double mass = 0.;
+      for (const BodyParameters<dim> &body : parameters.bodies)
+        mass = std::max(mass, body.density * body.particle_volume(parameters.lattice));
+      return mass;
+    }
+  } // namespace
+
+  template <int dim>
+  const std::vector<std::string> Scene<dim>::phases = {"Sort and migrate",
+                                                       "Solve potential",
+                                                       "Relax density",
+                                                       "P2G",
+                                                       "Update lattice",
+                                                       "G2P",
+                                                       "Statistics",
+                                                       "Output"};
+
+  template <int dim>
+  Scene<dim>::Scene(const Parameters<dim> &scene_parameters, const MPI_Comm communicator)
+    : parameters(scene_parameters)
+    , communicator(communicator)
+    , external_field(parameters.sources)
+    , magnetic(magnetic_part(parameters), external_field, phase_timer, communicator)
+    , holder(rigid_part(parameters), external_field, magnetic.state().reactions, communicator)
+    , fluids(parameters.lattice, open_faces(parameters.walls))
+    , attraction(parameters.attraction)
+  {
+    for (const BodyParameters<dim> &body : parameters.bodies)
+      all_bodies.emplace_back(body, parameters.material_of(body));
+  }
+
+  template <int dim>
+  Scene<dim>::~Scene() = default;
+
+  // One step, section 4.3 of Sun et al. 2021.
+  template <int dim>
+  void
+  Scene<dim>::step(const StepRequest &request)
+  {
+    choose_time_step(request.until);
+    holder.set_time(state.clock.time);
+    magnetic.update(state.clock, all_bodies); // Eqs. (25)-(33)
+    attraction.act(state.clock.time_step, all_bodies);
+    fluids.relax(state.clock, decomposition->partition(), lattice_field, all_bodies);
+    transfer_to_lattice(); // Eq. (28)
+    update_lattice();      // Eqs. (33), (34)
+    holder.advance(state.clock);
+    reduce(request, transfer_to_particles()); // Eqs. (35)-(37)
+
+    state.clock.time += state.clock.time_step;
+    ++state.clock.step;
+    // Now, not before the next step: output also counts on particles being in their arenas.
+    if (decomposition->regrouping_is_due())
+      {
+        regroup_particles();
+        if (request.wants_sums)
+          find_sums();
+      }
+  }
+
+  template <int dim>
+  void
+  Scene<dim>::choose_time_step(const double until)
+  {
+    const TimeStep step = TimeStepControl(parameters.time_step, parameters.lattice.spacing)
+                            .next_step(state.conditions, state.clock.time, until);
+    state.clock.time_step = step.length;
+    state.limit           = step.limit;
+    if (step.limit != frame_end_limit || state.clock.step == 0)
+      {
+        state.full_time_step = step.length;
+        state.full_limit     = step.limit;
+      }
+  }
+
+  template <int dim>
+  void
+  Scene<dim>::transfer_to_lattice()
+  {
+    const Scope timed(phase_timer, "P2G");
+    particles_to_lattice(all_bodies,
+                         decomposition->blocks(),
+                         parameters.lattice,
+                         state.clock.time_step,
+                         lattice_field);
+    decomposition->partition().add_ghosts_to_owners(lattice_field);
+  }
+
+  template <int dim>
+  void
+  Scene<dim>::update_lattice()
+  {
+    const Scope timed(phase_timer, "Update lattice");
+    const double mass = typical_particle_mass(parameters);
+    update_lattice_momentum(decomposition->blocks(),
+                            holder.lattice_boundary(),
+                            parameters.gravity,
+                            state.clock.time_step,
+                            parameters.rest.damping_rate,
+                            mass,
+                            lattice_field);
+    holder.collide(state.clock, decomposition->blocks(), mass, lattice_field);
+    decomposition->partition().update_ghosts(lattice_field);
+  }
+
+  template <int dim>
+  std::vector<ParticleExtremes>
+  Scene<dim>::transfer_to_particles()
+  {
+    const Scope timed(phase_timer, "G2P");
+    std::vector<ParticleExtremes> extremes = lattice_to_particles(lattice_field,
+                                                                  decomposition->blocks(),
+                                                                  parameters.lattice,
+                                                                  state.clock.time_step,
+                                                                  all_bodies);
+    holder.hold_particles(decomposition->blocks(), open_faces(parameters.walls), all_bodies);
+    return extremes;
+  }
+
+  template <int dim>
+  void
+  Scene<dim>::reduce(const StepRequest &request, std::vector<ParticleExtremes> extremes)
+  {
+    const Scope timed(phase_timer, "G2P");
+    parallel::Reduction reduction;
+    for (ParticleExtremes &e : extremes)
+      reduction.max(e);
+    for (Coupling *coupling : couplings())
+      coupling->reduce(reduction);
+    if (request.wants_sums)
+      add_sums(reduction);
+    if (request.reduce_along)
+      request.reduce_along(reduction);
+    reduction.carry_out(communicator);
+    for (Coupling *coupling : couplings())
+      coupling->take_reduced();
+
+    state.max_speed = 0.;
+    for (const ParticleExtremes &e : extremes)
+      state.max_speed = std::max(state.max_speed, e.speed);
+    const double way = state.clock.time_step * state.max_speed;
+    decomposition->note_motion(way + holder.longest_push());
+    magnetic.note_motion(way);
+    check_for_runaways(
+      all_bodies, extremes, parameters.runaway_limits, state.clock, state.limit, communicator);
+    find_limits(extremes);
+  }
+
+  template <int dim>
+  void
+  Scene<dim>::add_sums(parallel::Reduction &reduction)
+  {
+    state.sums.clear();
+    state.fewest_particles = 0.;
+    for (const Body<dim> &body : all_bodies)
+      {
+        state.sums.push_back(particle_sums(
+          body, parameters.lattice, parameters.gravity, parameters.magnetics.model()));
+        state.fewest_particles += static_cast<double>(body.particles.size());
+      }
+    for (ParticleSums<dim> &sums : state.sums)
+      sums.for_each_member(reduction);
+    reduction.min(state.fewest_particles);
+  }
+
+  template <int dim>
+  void
+  Scene<dim>::find_sums()
+  {
+    parallel::Reduction reduction;
+    add_sums(reduction);
+    reduction.carry_out(communicator);
+  }
+
+  template <int dim>
+  void
+  Scene<dim>::find_limits(const std::vector<ParticleExtremes> &extremes)
+  {
+    StepConditions conditions;
+    conditions.acceleration = norm(parameters.gravity);
+    for (std::size_t b = 0; b < all_bodies.size(); ++b)
+      {
+        const ParticleExtremes &e = extremes[b];
+        const double viscosity    = std::visit(
+          [](const auto &law) { return law.viscosity() / law.density; }, all_bodies[b].material);
+        conditions.signal_speed        = std::max(conditions.signal_speed, e.signal_speed);
+        conditions.affine_velocity     = std::max(conditions.affine_velocity, e.affine_velocity);
+        conditions.kinematic_viscosity = std::max(conditions.kinematic_viscosity,
+                                                  e.max_volume_ratio * viscosity);
+      }
+    for (const Coupling *coupling : couplings())
+      coupling->limit_step(conditions);
+    state.conditions = conditions;
+  }
+
+  template <int dim>
+  void
+  Scene<dim>::regroup_particles()
+  {
+    const Scope timed(phase_timer, "Sort and migrate");
+    const Regrouping regrouping = decomposition->regroup(all_bodies);
+    if (regrouping.n_lost > 0)
+      {
+        const std::string text = report(regrouping, state.clock.time);
+        if (!parameters.walls.removes_leaving_particles)
+          throw RunError(text + " Take a larger box, another condition than open for this face, or "
+                                "'Particles leaving the box = remove' in the section 'Walls'.");
+        state.notices.push_back({true, text});
+      }
+    state.lost_particles += regrouping.n_lost;
+    state.migrated_particles += regrouping.n_migrated;
+    if (regrouping.mesh.is_rebalanced)
+      state.notices.push_back({false, report(regrouping.mesh, parallel::n_ranks(communicator))});
+    state.mesh_changes += regrouping.mesh.is_change();
+    state.imbalance = regrouping.mesh.imbalance;
+    lattice_field.reinit(decomposition->blocks().size());
+  }
+
+  template class Scene<2>;
+  template class Scene<3>;
+} // namespace magmpm
