@@ -1,7 +1,6 @@
 // The main function of the test programs: every test may use MPI, with any number of ranks.
 
-#define CATCH_CONFIG_RUNNER
-#include "catch.h"
+#include "run_tests.h"
 
 #include <magmpm/parallel/reduce.h>
 
@@ -17,14 +16,14 @@ namespace
    * only those with a failure are heard.
    */
   int
-  run_tests(int argc, char **argv, const unsigned int rank)
+  run_tests_of_rank(int argc, char **argv, const unsigned int rank)
   {
     std::ostringstream report;
     std::streambuf *terminal = std::cout.rdbuf();
     if (rank > 0)
       std::cout.rdbuf(report.rdbuf());
 
-    const int result = Catch::Session().run(argc, argv);
+    const int result = run_tests(argc, argv);
 
     std::cout.rdbuf(terminal);
     if (rank > 0 && result != 0)
@@ -39,6 +38,6 @@ main(int argc, char **argv)
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
   const unsigned int rank = magmpm::parallel::rank(MPI_COMM_WORLD);
-  const int result        = run_tests(argc, argv, rank);
+  const int result        = run_tests_of_rank(argc, argv, rank);
   return magmpm::parallel::max(result, MPI_COMM_WORLD);
 }

@@ -1,4 +1,9 @@
 // The main function of portable_kernel_tests, which know neither deal.II nor MPI.
 
-#define CATCH_CONFIG_MAIN
-#include "catch.h"
+#include "run_tests.h"
+
+int
+main(int argc, char **argv)
+{
+  return run_tests(argc, argv);
+}

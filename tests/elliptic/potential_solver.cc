@@ -1,5 +1,5 @@
 #include "catch.h"
-#include "sphere_solve.h"
+#include "magnetics/sphere_solve.h"
 
 #include <magmpm/elliptic/potential_space.h>
 

@@ -6,6 +6,8 @@
 #include <magmpm/parameters/parameter_names.h>
 #include <magmpm/parameters/parameters.h>
 
+#include <program/paths.h>
+
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -84,7 +86,7 @@ end
   {
     std::vector<std::filesystem::path> files;
     for (const auto &file :
-         std::filesystem::directory_iterator(MAGMPM_SOURCE_DIR "/parameter_files"))
+         std::filesystem::directory_iterator(testing::source_folder() + "/parameter_files"))
       if (file.path().extension() == ".prm")
         files.push_back(file.path());
     return files;

@@ -75,7 +75,7 @@ namespace
 TEST_CASE("A body from a mesh, on 1 and 2 ranks", "[program]")
 {
   std::filesystem::create_directories("scene-folder");
-  std::filesystem::copy_file(std::string(MAGMPM_SOURCE_DIR) + "/meshes/dragon.obj",
+  std::filesystem::copy_file(source_folder() + "/meshes/dragon.obj",
                              "scene-folder/dragon.obj",
                              std::filesystem::copy_options::overwrite_existing);
   const std::string surfaces = "set Surface = true";

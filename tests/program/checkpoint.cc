@@ -174,7 +174,7 @@ TEST_CASE("A killed run loses nothing past its checkpoint", "[program]")
                                   ? "timeout -s KILL " + std::to_string(moment(random)) + " "
                                   : "";
       n_resumed += (latest >= 0);
-      const Outcome outcome = run(limit + MAGMPM_EXECUTABLE + (latest >= 0 ? " --resume " : " ") +
+      const Outcome outcome = run(limit + magmpm_program() + (latest >= 0 ? " --resume " : " ") +
                                   scene + in_folder("killed"));
       INFO(outcome.output << outcome.errors);
       is_complete = (outcome.exit_code == 0);
@@ -202,7 +202,7 @@ TEST_CASE("A run that is asked to stop writes a checkpoint", "[program]")
                             " --set \"Checkpoint every=never\" --set Output/Fields=false ";
   const std::string folder = "stopped";
   std::string command, reason;
-  const std::string start = std::string(MAGMPM_EXECUTABLE) + " " + scene + in_folder(folder);
+  const std::string start = magmpm_program() + " " + scene + in_folder(folder);
   const std::string wait  = "until [ -s stopped/particles.pvd ]; do sleep 0.02; done; ";
   SECTION("SIGTERM")
   {
@@ -211,7 +211,7 @@ TEST_CASE("A run that is asked to stop writes a checkpoint", "[program]")
   }
   SECTION("SIGUSR1, through mpirun")
   {
-    command = std::string(MAGMPM_MPIEXEC) + " -n 2 " + start + "& " + wait +
+    command = mpiexec() + " -n 2 " + start + "& " + wait +
               "kill -USR1 $!; wait $!";
     reason = "stopped by SIGTERM or SIGUSR1";
   }

@@ -11,7 +11,7 @@ using namespace magmpm::testing;
 
 namespace
 {
-  const std::string files = MAGMPM_SOURCE_DIR "/parameter_files/";
+  const std::string files = source_folder() + "/parameter_files/";
 } // namespace
 
 // Every file that comes with the program is accepted, with one line and nothing on standard error.
@@ -70,10 +70,10 @@ TEST_CASE("On several ranks wrong input is told once", "[program]")
 // run. Instead of waiting for ever, all must end with the exit code of the rank that failed.
 TEST_CASE("A rank that fails alone ends the run", "[program]")
 {
-  const Outcome outcome = run("timeout 60 " + std::string(MAGMPM_MPIEXEC) + " -n 1 " +
-                              MAGMPM_EXECUTABLE + " " + files +
+  const Outcome outcome = run("timeout 60 " + mpiexec() + " -n 1 " +
+                              magmpm_program() + " " + files +
                               "falling_block.prm --set 'Output directory=output-alone' : -n 1 " +
-                              MAGMPM_EXECUTABLE + " --wrong");
+                              magmpm_program() + " --wrong");
   CHECK(outcome.exit_code == 2);
   CHECK(outcome.errors.find("magmpm: rank 1: unknown option '--wrong'.") != std::string::npos);
 }
@@ -93,5 +93,5 @@ TEST_CASE("Questions to the program", "[program]")
 
   const Outcome parameters = run_magmpm("--print-parameters");
   CHECK(parameters.exit_code == 0);
-  CHECK(parameters.output == contents(MAGMPM_SOURCE_DIR "/doc/parameters.md"));
+  CHECK(parameters.output == contents(source_folder() + "/doc/parameters.md"));
 }

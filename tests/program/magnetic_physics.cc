@@ -327,7 +327,7 @@ TEST_CASE("Between solves the force follows the motion", "[program]")
   // Between solves the force goes on changing as before: it is that of the present height, which
   // the run with all solves tells, to second order of the way. With dx = 1/32 m 0.15 dx change the
   // force by up to a sixth, and less than 4 % of it are missed; three quarters of the solves are saved.
-  const std::string scene = std::string(MAGMPM_SOURCE_DIR) +
+  const std::string scene = source_folder() +
                             "/parameter_files/cube_nonlinear.prm --set Output/Particles=false "
                             "--set Output/Fields=false --set \"Box/Cell size=0.03125\" "
                             "--set \"End time=0.1\" --set \"Output/Frame interval=0.1\" ";

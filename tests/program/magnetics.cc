@@ -114,7 +114,7 @@ TEST_CASE("A scene pays for what it needs", "[program]")
   // linear system, so one Newton step; what does not change is solved once. The statistics count them.
   SECTION("nothing magnetic")
   {
-    const Outcome run = run_magmpm(std::string(MAGMPM_SOURCE_DIR) +
+    const Outcome run = run_magmpm(source_folder() +
                                    "/parameter_files/falling_block.prm --set \"End time=0.05\" "
                                    "--set \"Output directory=not-magnetic\"");
     INFO(run.errors);
@@ -140,7 +140,7 @@ TEST_CASE("A scene pays for what it needs", "[program]")
   }
   SECTION("static field and body")
   {
-    const Outcome run = run_magmpm(std::string(MAGMPM_SOURCE_DIR) +
+    const Outcome run = run_magmpm(source_folder() +
                                    "/parameter_files/uniform_sphere.prm "
                                    "--set \"Output directory=static\" --set Output/Fields=false");
     INFO(run.errors);

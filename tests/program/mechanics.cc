@@ -10,7 +10,7 @@ using namespace magmpm::testing;
 namespace
 {
   /** A cube of 8^3 cells of dx = 10 mm in a box of 32^3; elastic, c = 11.6 m/s. */
-  const std::string falling_block = std::string(MAGMPM_SOURCE_DIR) +
+  const std::string falling_block = source_folder() +
                                     "/parameter_files/falling_block.prm ";
 
   const std::string no_output =

@@ -15,7 +15,7 @@ namespace magmpm::testing
                      const std::string &folder,
                      const std::string &options)
   {
-    return run_magmpm(std::string(MAGMPM_SOURCE_DIR) + "/parameter_files/" + scene +
+    return run_magmpm(source_folder() + "/parameter_files/" + scene +
                       ".prm --set 'Output directory=" + folder +
                       "' --set Output/Fields=false --set 'Checkpoint every=never' " + options);
   }

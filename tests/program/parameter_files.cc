@@ -18,7 +18,7 @@ namespace
   {
     std::vector<std::filesystem::path> files;
     for (const auto &file :
-         std::filesystem::directory_iterator(MAGMPM_SOURCE_DIR "/parameter_files"))
+         std::filesystem::directory_iterator(source_folder() + "/parameter_files"))
       if (file.path().extension() == ".prm")
         files.push_back(file.path());
     std::sort(files.begin(), files.end());

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <program/paths.h>
+
 #include <sys/wait.h>
 
 #include <cstdlib>
@@ -58,8 +60,8 @@ namespace magmpm::testing
   inline Outcome
   run_magmpm(const std::string &arguments, const int n_ranks = 1)
   {
-    const std::string mpiexec =
-      n_ranks == 1 ? "" : std::string(MAGMPM_MPIEXEC) + " -n " + std::to_string(n_ranks) + " ";
-    return run(mpiexec + MAGMPM_EXECUTABLE + " " + arguments);
+    const std::string launcher =
+      n_ranks == 1 ? "" : mpiexec() + " -n " + std::to_string(n_ranks) + " ";
+    return run(launcher + magmpm_program() + " " + arguments);
   }
 } // namespace magmpm::testing

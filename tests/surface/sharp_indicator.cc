@@ -1,5 +1,5 @@
 #include "catch.h"
-#include "scene.h"
+#include "magnetics/scene.h"
 
 #include <magmpm/elliptic/potential_space.h>
 #include <magmpm/magnetics/material_points.h>

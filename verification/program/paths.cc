@@ -1,0 +1,22 @@
+#include <program/paths.h>
+
+namespace magmpm::testing
+{
+  std::string
+  source_folder()
+  {
+    return MAGMPM_SOURCE_DIR;
+  }
+
+  std::string
+  magmpm_program()
+  {
+    return MAGMPM_EXECUTABLE;
+  }
+
+  std::string
+  mpiexec()
+  {
+    return MAGMPM_MPIEXEC;
+  }
+} // namespace magmpm::testing
