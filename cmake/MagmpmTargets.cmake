@@ -1,16 +1,19 @@
 # The targets: magmpm_options (how everything is compiled; of it magmpm_portable_options for every
-# processor), magmpm_kernels (files that know nothing
-# of deal.II), magmpm_core (everything else but main), magmpm (the program).
+# processor), magmpm_<room> (each room), magmpm_library (all of them: magmpm::magmpm, the
+# library) and magmpm (the program).
 
 # --- How everything is compiled --------------------------------------------------------------
 
 add_library(magmpm_portable_options INTERFACE)
-target_include_directories(magmpm_portable_options INTERFACE ${PROJECT_SOURCE_DIR}/include)
+target_compile_features(magmpm_portable_options INTERFACE cxx_std_17)
+target_include_directories(magmpm_portable_options INTERFACE
+                           $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
+                           $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 # -Wno-psabi: GCC's note that passing 64-byte vectors differs from GCC 4, said at every use.
 # -ffp-contract=fast: ISO mode would otherwise turn fused multiply-add off.
-target_compile_options(magmpm_portable_options INTERFACE -Wall -Wextra -Wno-psabi
-                                                         -ffp-contract=fast)
-target_link_options(magmpm_portable_options INTERFACE -Wl,--as-needed)
+target_compile_options(magmpm_portable_options INTERFACE $<BUILD_INTERFACE:-Wall> $<BUILD_INTERFACE:-Wextra>
+                                                         -Wno-psabi -ffp-contract=fast)
+target_link_options(magmpm_portable_options INTERFACE $<BUILD_INTERFACE:-Wl,--as-needed>)
 add_library(magmpm_options INTERFACE)
 target_link_libraries(magmpm_options INTERFACE magmpm_portable_options)
 if(MAGMPM_NATIVE)
@@ -24,7 +27,7 @@ if(MAGMPM_NATIVE)
   endif()
   string(MD5 native_processor "${native_macros}")
   target_compile_options(magmpm_options INTERFACE -march=native
-                                                  -DMAGMPM_PROCESSOR=0x${native_processor})
+                         $<BUILD_INTERFACE:-DMAGMPM_PROCESSOR=0x${native_processor}>)
 endif()
 if(MAGMPM_SANITIZE)
   target_compile_options(magmpm_portable_options INTERFACE -fsanitize=${MAGMPM_SANITIZE}
@@ -47,17 +50,86 @@ target_include_directories(magmpm_deal_ii SYSTEM INTERFACE ${DEAL_II_INCLUDE_DIR
                                                            ${Trilinos_INCLUDE_DIRS})
 target_compile_definitions(magmpm_deal_ii INTERFACE ${DEAL_II_USER_DEFINITIONS}
                                                     ${DEAL_II_USER_DEFINITIONS_${build_type}})
-target_link_libraries(magmpm_deal_ii INTERFACE ${DEAL_II_TARGET_${build_type}})
+target_link_libraries(magmpm_deal_ii INTERFACE ${DEAL_II_TARGET_${build_type}} MPI::MPI_CXX)
+# SIMD lanes of the potential solver. All that includes simd_lanes.h has to see the same, so the
+# definition goes to all users of deal.II. The templates inside later deal.II are others.
+if(MAGMPM_WIDE_SIMD AND MAGMPM_NATIVE)
+  if(DEAL_II_VERSION VERSION_LESS 9.5)
+    target_compile_definitions(magmpm_deal_ii INTERFACE MAGMPM_WIDE_SIMD)
+  else()
+    message(STATUS "The potential solver takes the SIMD lanes of deal.II ${DEAL_II_VERSION}")
+  endif()
+endif()
 
-# --- Sources ---------------------------------------------------------------------------------
+# --- How some files are compiled otherwise -------------------------------------------------------
 
-file(GLOB core_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/source/*.cc
-                                         ${PROJECT_SOURCE_DIR}/source/*/*.cc)
-# Kernel files: scripts/check_includes proves that these include no deal.II header.
-set(kernel_sources ${core_sources})
-list(FILTER kernel_sources INCLUDE REGEX
-     "/source/((base|lattice|materials)/[^/]*|particles/[^/]*transfer[^/]*)[.]cc$")
-list(REMOVE_ITEM core_sources ${kernel_sources} ${PROJECT_SOURCE_DIR}/source/main.cc)
+# Each path is below source/. A file with options of its own is compiled alone also in a unity build.
+function(magmpm_file_options options)
+  foreach(file IN LISTS ARGN)
+    if(NOT EXISTS ${PROJECT_SOURCE_DIR}/source/${file}.cc)
+      message(FATAL_ERROR "source/${file}.cc, which is to be compiled with ${options}, is not there")
+    endif()
+    set_source_files_properties(${PROJECT_SOURCE_DIR}/source/${file}.cc PROPERTIES
+                                COMPILE_OPTIONS "${options}")
+  endforeach()
+endfunction()
+
+# Kernels. Neither changes a result: no errno from sqrt, no traps on floating point exceptions.
+set(kernel_options -fno-math-errno -fno-trapping-math)
+magmpm_file_options("${kernel_options}" lattice/block_set materials/magnetization_curve
+                    particles/magnetic_transfer particles/particle_grid_transfer)
+
+# These evaluate the laws of the medium, or integrals round rings, in SIMD lanes, which sqrt leaves
+# where it may set errno.
+magmpm_file_options(-fno-math-errno magnetics/magnetic_force magnetics/material_points
+                    magnetics/potential_residual magnets/ring_integrals particles/particle_sums)
+
+# What decides whether a point is inside of a mesh must not depend on the order of two factors.
+magmpm_file_options(-ffp-contract=off geometry/mesh_interior)
+
+# --- The processor check -------------------------------------------------------------------
+
+# Runs before everything else, so it is compiled for the oldest processor; and apart, since no file
+# refers to it and an archive would leave it out.
+set(processor_check_source ${PROJECT_SOURCE_DIR}/source/base/processor_check.cc)
+add_library(magmpm_processor_check OBJECT ${processor_check_source})
+target_link_libraries(magmpm_processor_check PRIVATE magmpm_options)
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$")
+  set_source_files_properties(${processor_check_source} PROPERTIES
+                              COMPILE_OPTIONS "-march=x86-64;-fno-sanitize=all")
+endif()
+
+# --- The rooms -------------------------------------------------------------------------------
+
+# What a room needs besides the headers of the rooms below it.
+set(libraries_of_parallel magmpm_deal_ii)
+set(libraries_of_motion magmpm_deal_ii)
+set(libraries_of_geometry ${VTK_LIBRARIES})
+set(libraries_of_mesh magmpm_deal_ii)
+set(libraries_of_elliptic magmpm_deal_ii ${MueLu_LIBRARIES} ${Belos_LIBRARIES})
+set(libraries_of_boundary magmpm_deal_ii)
+
+# magmpm_<room>: source/<room>/*.cc, one library for each room, so that the test of a room waits for no
+# other than it may include.
+set(room_table ${PROJECT_SOURCE_DIR}/source/rooms.txt)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${room_table})
+file(STRINGS ${room_table} room_lines REGEX "^[^#]")
+set(rooms "")
+foreach(line IN LISTS room_lines)
+  string(REGEX MATCHALL "[a-z]+" rooms_below ${line})
+  list(POP_FRONT rooms_below room)
+  list(TRANSFORM rooms_below PREPEND magmpm_)
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/source/${room}/*.cc)
+  list(REMOVE_ITEM sources ${processor_check_source})
+  add_library(magmpm_${room} STATIC ${sources})
+  target_link_libraries(magmpm_${room} PUBLIC magmpm_options ${rooms_below} ${libraries_of_${room}})
+  list(APPEND rooms ${room})
+endforeach()
+
+# Until these rooms include what they may only.
+target_link_libraries(magmpm_boundary PRIVATE magmpm_magnets)
+target_link_libraries(magmpm_coupling PRIVATE magmpm_parameters magmpm_simulation)
+target_link_libraries(magmpm_results PRIVATE magmpm_simulation)
 
 # The version's commit: written again after a commit or checkout, which append to git's log of HEAD.
 set(version_source ${PROJECT_BINARY_DIR}/version.cc)
@@ -81,58 +153,19 @@ add_custom_command(
   COMMENT "Writing the version"
   VERBATIM)
 
-# --- Libraries and the program ---------------------------------------------------------------
+target_sources(magmpm_base PRIVATE ${version_source})
 
-# Runs before everything else, so it is compiled for the oldest processor; and an object library,
-# since no file refers to it and an archive would leave it out.
-set(processor_check_source ${PROJECT_SOURCE_DIR}/source/base/processor_check.cc)
-list(REMOVE_ITEM kernel_sources ${processor_check_source})
-add_library(magmpm_processor_check OBJECT ${processor_check_source})
-target_link_libraries(magmpm_processor_check PRIVATE magmpm_options)
-if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$")
-  set_source_files_properties(${processor_check_source} PROPERTIES
-                              COMPILE_OPTIONS "-march=x86-64;-fno-sanitize=all")
-endif()
+# --- The library and the program -------------------------------------------------------------------
 
-add_library(magmpm_kernels STATIC ${kernel_sources} ${version_source})
-target_link_libraries(magmpm_kernels PUBLIC magmpm_options)
-# Neither changes a result: no errno from sqrt, no traps on floating point exceptions.
-target_compile_options(magmpm_kernels PRIVATE -fno-math-errno -fno-trapping-math)
-
-if(core_sources)
-  add_library(magmpm_core STATIC ${core_sources})
-  set(core_scope PUBLIC)
-else()
-  add_library(magmpm_core INTERFACE)
-  set(core_scope INTERFACE)
-endif()
-target_link_libraries(magmpm_core ${core_scope} magmpm_options magmpm_kernels magmpm_deal_ii
-                                                ${MueLu_LIBRARIES} ${Belos_LIBRARIES}
-                                                MPI::MPI_CXX ${VTK_LIBRARIES})
-
-# These evaluate the laws of the medium, or integrals round rings, in SIMD lanes, which sqrt leaves
-# where it may set errno.
-foreach(file magnetics/magnetic_force magnetics/material_points magnetics/potential_residual
-             magnets/ring_integrals particles/particle_sums)
-  set_source_files_properties(${PROJECT_SOURCE_DIR}/source/${file}.cc PROPERTIES
-                              COMPILE_OPTIONS -fno-math-errno)
+add_library(magmpm_library STATIC)
+foreach(room IN LISTS rooms)
+  target_sources(magmpm_library PRIVATE $<TARGET_OBJECTS:magmpm_${room}>)
 endforeach()
+target_link_libraries(magmpm_library PUBLIC magmpm_options magmpm_deal_ii ${MueLu_LIBRARIES}
+                                            ${Belos_LIBRARIES} ${VTK_LIBRARIES})
+set_target_properties(magmpm_library PROPERTIES OUTPUT_NAME magmpm EXPORT_NAME magmpm
+                                                LINKER_LANGUAGE CXX)
+add_library(magmpm::magmpm ALIAS magmpm_library)
 
-# What decides whether a point is inside of a mesh must not depend on the order of two factors.
-set_source_files_properties(${PROJECT_SOURCE_DIR}/source/geometry/mesh_interior.cc PROPERTIES
-                            COMPILE_OPTIONS -ffp-contract=off)
-
-if(EXISTS ${PROJECT_SOURCE_DIR}/source/main.cc)
-  add_executable(magmpm source/main.cc)
-  target_link_libraries(magmpm PRIVATE magmpm_core magmpm_processor_check)
-endif()
-
-# SIMD lanes of the potential solver. All that includes simd_lanes.h has to see the same, so the
-# definition goes to all users of the library. The templates inside later deal.II are others.
-if(MAGMPM_WIDE_SIMD AND MAGMPM_NATIVE AND core_sources)
-  if(DEAL_II_VERSION VERSION_LESS 9.5)
-    target_compile_definitions(magmpm_core PUBLIC MAGMPM_WIDE_SIMD)
-  else()
-    message(STATUS "The potential solver takes the SIMD lanes of deal.II ${DEAL_II_VERSION}")
-  endif()
-endif()
+add_executable(magmpm source/main.cc)
+target_link_libraries(magmpm PRIVATE magmpm::magmpm magmpm_processor_check)
