@@ -101,13 +101,15 @@ endif()
 
 # --- The rooms -------------------------------------------------------------------------------
 
-# What a room needs besides the headers of the rooms below it.
+# What a room needs besides the rooms below it, and what its headers need.
 set(libraries_of_parallel magmpm_deal_ii)
+set(public_libraries_of_parallel MPI::MPI_CXX)
 set(libraries_of_motion magmpm_deal_ii)
 set(libraries_of_geometry ${VTK_LIBRARIES})
-set(libraries_of_mesh magmpm_deal_ii)
-set(libraries_of_elliptic magmpm_deal_ii ${MueLu_LIBRARIES} ${Belos_LIBRARIES})
+set(public_libraries_of_mesh magmpm_deal_ii)
+set(libraries_of_elliptic ${MueLu_LIBRARIES} ${Belos_LIBRARIES})
 set(libraries_of_boundary magmpm_deal_ii)
+set(libraries_of_results ${VTK_LIBRARIES})
 
 # magmpm_<room>: source/<room>/*.cc, one library for each room, so that the test of a room waits for no
 # other than it may include.
@@ -122,7 +124,9 @@ foreach(line IN LISTS room_lines)
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/source/${room}/*.cc)
   list(REMOVE_ITEM sources ${processor_check_source})
   add_library(magmpm_${room} STATIC ${sources})
-  target_link_libraries(magmpm_${room} PUBLIC magmpm_options ${rooms_below} ${libraries_of_${room}})
+  target_link_libraries(magmpm_${room} PUBLIC magmpm_options ${rooms_below}
+                                              ${public_libraries_of_${room}}
+                                       PRIVATE ${libraries_of_${room}})
   list(APPEND rooms ${room})
 endforeach()
 
