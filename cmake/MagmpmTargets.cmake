@@ -130,10 +130,8 @@ foreach(line IN LISTS room_lines)
   list(APPEND rooms ${room})
 endforeach()
 
-# Until these rooms include what they may only.
+# Until this room includes what it may only.
 target_link_libraries(magmpm_boundary PRIVATE magmpm_magnets)
-target_link_libraries(magmpm_coupling PRIVATE magmpm_parameters magmpm_simulation)
-target_link_libraries(magmpm_results PRIVATE magmpm_simulation)
 
 # The version's commit: written again after a commit or checkout, which append to git's log of HEAD.
 set(version_source ${PROJECT_BINARY_DIR}/version.cc)

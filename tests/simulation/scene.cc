@@ -6,6 +6,8 @@
 #include <magmpm/parallel/reduce.h>
 #include <magmpm/parameters/parameter_file.h>
 
+#include <program/paths.h>
+
 #include "../catch.h"
 #include "../test_folder.h"
 
@@ -19,14 +21,12 @@ using namespace magmpm::testing;
 
 namespace
 {
-  const std::string source_folder = MAGMPM_SOURCE_DIR;
-
   /** The cube above a magnet, 6 cells an edge, in a box of 32 cells. */
   Parameters<3>
   small_cube()
   {
     return read_parameters<3>(
-      read_parameter_file(source_folder + "/parameter_files/cube_nonlinear.prm",
+      read_parameter_file(source_folder() + "/parameter_files/cube_nonlinear.prm",
                           {"Box/Cell size=0.03125"}));
   }
 
@@ -114,7 +114,7 @@ TEST_CASE("the columns of a scene have units of its dimension", "[simulation]")
   const Scene<3> cube(small_cube(), MPI_COMM_WORLD);
   CHECK(cube.columns().all().size() == 15 + 3 * 3 + 6 + 6 + 9 + 6 + 3);
   const Scene<2> drop(read_parameters<2>(
-                        read_parameter_file(source_folder + "/parameter_files/drop_2d.prm")),
+                        read_parameter_file(source_folder() + "/parameter_files/drop_2d.prm")),
                       MPI_COMM_WORLD);
   std::string headings;
   for (const Column &column : drop.columns().all())
@@ -138,7 +138,7 @@ TEST_CASE("doc/statistics.md explains every column", "[simulation]")
   // The manual names each column of a scene in code quotes, with the vector's name for its
   // components: a column added without a word in the manual fails here. A bar within a table of
   // the manual has a backslash before it.
-  std::ifstream file(source_folder + "/doc/statistics.md");
+  std::ifstream file(source_folder() + "/doc/statistics.md");
   REQUIRE(file);
   std::string manual(std::istreambuf_iterator<char>(file), {});
   manual.erase(std::remove(manual.begin(), manual.end(), '\\'), manual.end());
