@@ -14,6 +14,7 @@
 
 using namespace magmpm;
 using namespace magmpm::benchmarks;
+using namespace magmpm::verification;
 
 template <int dim>
 static void

@@ -4,11 +4,11 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <mechanics/channel_flow.h>
-#include <mechanics/dam_break.h>
-#include <mechanics/elastic_bar.h>
-#include <mechanics/hydrostatic_column.h>
-#include <mechanics/spinning_block.h>
+#include <verification/mechanics/channel_flow.h>
+#include <verification/mechanics/dam_break.h>
+#include <verification/mechanics/elastic_bar.h>
+#include <verification/mechanics/hydrostatic_column.h>
+#include <verification/mechanics/spinning_block.h>
 
 #include <algorithm>
 #include <chrono>
@@ -18,7 +18,7 @@
 #include <iostream>
 
 using namespace magmpm;
-using namespace magmpm::benchmarks;
+using namespace magmpm::verification;
 
 namespace
 {

@@ -22,8 +22,9 @@
 #include <magmpm/particles/seeding.h>
 #include <magmpm/simulation/domain_decomposition.h>
 
-#include <magnetics/scene.h>
-#include <paper_scheme/ball_experiment.h>
+#include <baselines/paper_scheme/ball_experiment.h>
+#include <verification/magnetostatics/sampled_setup.h>
+#include <verification/magnetostatics/sources.h>
 
 #include <cstdio>
 #include <iostream>
@@ -55,9 +56,9 @@ namespace
     constexpr double radius = 0.5, distance = 2.2;
     const double strength = 1.5 * a / k2 * std::pow(distance / radius, 3);
     return ExternalField<3>(
-      {test::sphere_source<3>(ball.centre() + (distance * ball.radius) * ball.direction(),
-                              radius * ball.radius,
-                              strength * ball.direction())});
+      {verification::magnet_source<3>(ball.centre() + (distance * ball.radius) * ball.direction(),
+                                      radius * ball.radius,
+                                      strength * ball.direction())});
   }
 
   void
@@ -103,8 +104,8 @@ namespace
     MagneticsParameters<3> parameters;
     parameters.newton_tolerance = tolerance;
     // The box of the mechanics, half as wide as that of the potential.
-    test::Scene<3> scene(4 * cells_per_radius, ball.spacing(), 2., parameters);
-    scene.set_bodies({test::sphere<3>(ball.centre(), ball.radius, ball.content)});
+    verification::SampledSetup<3> scene(4 * cells_per_radius, ball.spacing(), 2., parameters);
+    scene.set_bodies({verification::sphere<3>(ball.centre(), ball.radius, ball.content)});
     const SolveReport report = scene.problem.solve(scene.content, magnet(ball, a));
     print("magmpm", susceptibility, a, report.newton, report.zero_residual);
   }

@@ -3,7 +3,7 @@
 //
 //   paper_scheme_speed [half width of the box in radii = 3] [largest R/dx = 16] [chi_0 = 0.91]
 
-#include <paper_scheme/ball_experiment.h>
+#include <baselines/paper_scheme/ball_experiment.h>
 
 #include <cstdio>
 #include <cstdlib>

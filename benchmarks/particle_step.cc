@@ -54,17 +54,17 @@ namespace
     double plain, kernels;
   };
 
-  /** Measures both codes on a scene and prints what they took. */
+  /** Measures both codes on a block and prints what they took. */
   Cost
-  measure(const ParticleScene &scene, const StepOptions &options)
+  measure(const FallingBlock &block, const StepOptions &options)
   {
-    const std::size_t n_particles = scene.bodies[0].particles.size();
+    const std::size_t n_particles = block.bodies[0].particles.size();
     const MemoryGrowth memory;
-    const auto kernels = make_kernel_step(scene);
+    const auto kernels = make_kernel_step(block);
     std::vector<PhaseTimes> kernel_times, plain_times;
     time_of_steps(*kernels, options.steps);
     const double bytes = memory.bytes() / static_cast<double>(n_particles);
-    const auto plain   = make_plain_step(scene);
+    const auto plain   = make_plain_step(block);
     time_of_steps(*plain, options.steps);
     for (int n = 0; n < options.repeats; ++n)
       {
@@ -73,7 +73,7 @@ namespace
       }
 
     std::printf(
-      "\n%s, %s particles\n%-14s", scene.name.c_str(), with_separators(n_particles).c_str(), "");
+      "\n%s, %s particles\n%-14s", block.name.c_str(), with_separators(n_particles).c_str(), "");
     for (const char *phase : phase_names)
       std::printf(" | %13s", phase);
     std::printf(" | %13s\n", "all");

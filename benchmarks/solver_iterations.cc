@@ -4,15 +4,17 @@
 //
 //   mpirun -np 2 solver_iterations [RADIUS IN CELLS, 8] [PRECONDITIONER ...]
 
-#include "magnetics/sphere_solve.h"
-
 #include <deal.II/base/utilities.h>
+
+#include <verification/magnetostatics/sources.h>
+#include <verification/magnetostatics/sphere_solve.h>
+#include <verification/print_once.h>
 
 #include <algorithm>
 #include <vector>
 
 using namespace magmpm;
-using namespace magmpm::test;
+using namespace magmpm::verification;
 
 namespace
 {
@@ -86,7 +88,7 @@ namespace
   };
 
   TimedSolve
-  timed_solve(Scene<3> &scene, const ExternalField<3> &sources)
+  timed_solve(SampledSetup<3> &scene, const ExternalField<3> &sources)
   {
     const double start       = MPI_Wtime();
     const SolveReport report = scene.problem.solve(scene.content, sources);
@@ -120,7 +122,7 @@ namespace
       {
         MagneticsParameters<3> parameters;
         parameters.preconditioner = preconditioner;
-        Scene<3> scene(4 * choice.radius_in_cells, spacing, 8., parameters);
+        SampledSetup<3> scene(4 * choice.radius_in_cells, spacing, 8., parameters);
         TimedSolve best = {{}, 1e300};
         for (int frame = 0; frame <= n_frames; ++frame)
           {

@@ -49,7 +49,7 @@ namespace
   struct Reference
   {
     Reference(const int resolution, const Medium &medium)
-      : experiment(SceneKind::cube_near_magnet, resolution, 0, medium)
+      : experiment(ExperimentKind::cube_near_magnet, resolution, 0, medium)
       , state(magmpm_contender(Preconditioner::gmg, 1, MaterialIndicator::sharp, 1e-8)
                 .run(experiment)
                 .state)
@@ -72,7 +72,7 @@ namespace
    * what follows.
    */
   void
-  measure(const SceneKind scene,
+  measure(const ExperimentKind kind,
           const int resolution,
           const SpeedOptions &options,
           const std::optional<Reference> &reference,
@@ -84,7 +84,7 @@ namespace
       measurements.emplace_back(contender.scheme, contender.name, resolution);
     for (int n = 0; n < n_repetitions(resolution, options.repetitions); ++n)
       {
-        const Experiment experiment(scene, resolution, n, options.medium);
+        const Experiment experiment(kind, resolution, n, options.medium);
         for (std::size_t c = 0; c < contenders.size(); ++c)
           if (resolution >= contenders[c].coarsest)
             {
@@ -108,18 +108,18 @@ namespace
   }
 
   void
-  measure_scene(const SceneKind scene, const SpeedOptions &options, SpeedTable &table)
+  measure_all(const ExperimentKind kind, const SpeedOptions &options, SpeedTable &table)
   {
     std::vector<Contender> contenders = all_contenders(options.tolerance);
     std::optional<Reference> reference;
-    if (scene == SceneKind::cube_near_magnet)
+    if (kind == ExperimentKind::cube_near_magnet)
       reference.emplace(static_cast<int>(options.reference), options.medium);
-    table.start_scene(scene);
+    table.start_experiment(kind);
     for (const int resolution : resolutions)
       if (resolution <= options.max_resolution &&
           (!reference || resolution < reference->experiment.resolution))
-        measure(scene, resolution, options, reference, contenders, table);
-    table.finish_scene();
+        measure(kind, resolution, options, reference, contenders, table);
+    table.finish_experiment();
   }
 
   void
@@ -136,8 +136,8 @@ namespace
       << ", one thread.\nErrors: rms over the runs; s: the best of them, of computing time; "
       << "ns/(u i): warm time per unknown and CG iteration" << std::endl;
     SpeedTable table(std::cout, options.csv_file);
-    for (const SceneKind scene : options.scenes)
-      measure_scene(scene, options, table);
+    for (const ExperimentKind kind : options.experiments)
+      measure_all(kind, options, table);
   }
 } // namespace
 

@@ -3,7 +3,7 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <mechanics/surface_growth.h>
+#include <verification/mechanics/surface_growth.h>
 
 #include <chrono>
 #include <cmath>
@@ -12,7 +12,7 @@
 #include <vector>
 
 using namespace magmpm;
-using namespace magmpm::benchmarks;
+using namespace magmpm::verification;
 
 namespace
 {

@@ -3,14 +3,14 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <mechanics/wire_meniscus.h>
+#include <verification/mechanics/wire_meniscus.h>
 
 #include <chrono>
 #include <cstdio>
 #include <iostream>
 
 using namespace magmpm;
-using namespace magmpm::benchmarks;
+using namespace magmpm::verification;
 
 namespace
 {

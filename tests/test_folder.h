@@ -2,13 +2,15 @@
 
 #include <mpi.h>
 
+#include <verification/text_file.h>
+
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
 
 namespace magmpm::testing
 {
+  using verification::contents;
+
   inline int
   this_rank()
   {
@@ -40,14 +42,5 @@ namespace magmpm::testing
       }
     MPI_Barrier(MPI_COMM_WORLD);
     return folder;
-  }
-
-  inline std::string
-  contents(const std::string &path)
-  {
-    std::ifstream file(path);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
   }
 } // namespace magmpm::testing

@@ -1,31 +1,12 @@
 #include <magmpm/base/constants.h>
 
-#include <paper_scheme/ball_experiment.h>
+#include <baselines/paper_scheme/ball_experiment.h>
+#include <verification/magnetostatics/sources.h>
 
-#include <cstdio>
 #include <random>
-#include <string>
 
 namespace magmpm::paper_scheme
 {
-  namespace
-  {
-    /** "1; 2; 3", as sources want their vectors. */
-    template <int dim>
-    std::string
-    vector_text(const Vector<dim> &v)
-    {
-      std::string text;
-      char number[64];
-      for (int a = 0; a < dim; ++a)
-        {
-          std::snprintf(number, sizeof(number), "%.17g", v[a]);
-          text += (a == 0 ? "" : "; ") + std::string(number);
-        }
-      return text;
-    }
-  } // namespace
-
   template <int dim>
   Vector<dim>
   BallExperiment<dim>::direction()
@@ -102,24 +83,17 @@ namespace magmpm::paper_scheme
   ExternalField<dim>
   BallExperiment<dim>::uniform_field(const double strength) const
   {
-    SourceParameters<dim> source;
-    source.name  = "uniform";
-    source.type  = SourceType::uniform_field;
-    source.field = vector_text(strength * direction());
-    return ExternalField<dim>({source});
+    return ExternalField<dim>({verification::uniform_source<dim>(strength * direction())});
   }
 
   template <int dim>
   ExternalField<dim>
   BallExperiment<dim>::dipole(const double distance) const
   {
-    SourceParameters<dim> source;
-    source.name          = "dipole";
-    source.type          = SourceType::magnetized_sphere;
-    source.position      = vector_text(centre() + (distance * radius) * direction());
-    source.magnetization = vector_text(magnet_magnetization * direction());
-    source.radius        = magnet_radius * radius;
-    return ExternalField<dim>({source});
+    return ExternalField<dim>(
+      {verification::magnet_source<dim>(centre() + (distance * radius) * direction(),
+                                        magnet_radius * radius,
+                                        magnet_magnetization * direction())});
   }
 
   template <int dim>

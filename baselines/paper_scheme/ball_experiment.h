@@ -1,6 +1,6 @@
 #pragma once
 
-#include <paper_scheme/paper_scheme.h>
+#include <baselines/paper_scheme/paper_scheme.h>
 
 namespace magmpm::paper_scheme
 {

@@ -1,4 +1,4 @@
-#include <paper_scheme/coefficient_rows.h>
+#include <baselines/paper_scheme/coefficient_rows.h>
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <paper_scheme/node_grid.h>
+#include <baselines/paper_scheme/node_grid.h>
 
 #include <vector>
 

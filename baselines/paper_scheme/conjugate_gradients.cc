@@ -1,4 +1,4 @@
-#include <paper_scheme/conjugate_gradients.h>
+#include <baselines/paper_scheme/conjugate_gradients.h>
 
 #include <cmath>
 

@@ -2,7 +2,7 @@
 
 #include <magmpm/base/exceptions.h>
 
-#include <paper_scheme/potential_stencil.h>
+#include <baselines/paper_scheme/potential_stencil.h>
 
 #include <string>
 

@@ -1,4 +1,4 @@
-#include <paper_scheme/incomplete_cholesky.h>
+#include <baselines/paper_scheme/incomplete_cholesky.h>
 
 #include <algorithm>
 

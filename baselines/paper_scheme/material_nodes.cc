@@ -1,7 +1,7 @@
 #include <magmpm/base/exceptions.h>
 #include <magmpm/lattice/bspline.h>
 
-#include <paper_scheme/material_nodes.h>
+#include <baselines/paper_scheme/material_nodes.h>
 
 #include <algorithm>
 

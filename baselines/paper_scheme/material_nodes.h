@@ -3,7 +3,7 @@
 #include <magmpm/magnets/external_field.h>
 #include <magmpm/materials/magnetization.h>
 
-#include <paper_scheme/node_grid.h>
+#include <baselines/paper_scheme/node_grid.h>
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 #include <magmpm/base/constants.h>
 
-#include <paper_scheme/maxwell_force.h>
+#include <baselines/paper_scheme/maxwell_force.h>
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <paper_scheme/material_nodes.h>
-#include <paper_scheme/potential_stencil.h>
+#include <baselines/paper_scheme/material_nodes.h>
+#include <baselines/paper_scheme/potential_stencil.h>
 
 namespace magmpm::paper_scheme
 {

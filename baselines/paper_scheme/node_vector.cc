@@ -1,4 +1,4 @@
-#include <paper_scheme/node_vector.h>
+#include <baselines/paper_scheme/node_vector.h>
 
 #include <cmath>
 

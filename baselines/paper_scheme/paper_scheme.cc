@@ -1,8 +1,8 @@
 #include <magmpm/lattice/bspline.h>
 
-#include <paper_scheme/incomplete_cholesky.h>
-#include <paper_scheme/paper_scheme.h>
-#include <paper_scheme/pointwise_preconditioners.h>
+#include <baselines/paper_scheme/incomplete_cholesky.h>
+#include <baselines/paper_scheme/paper_scheme.h>
+#include <baselines/paper_scheme/pointwise_preconditioners.h>
 
 #include <chrono>
 

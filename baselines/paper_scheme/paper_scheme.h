@@ -2,9 +2,9 @@
 
 #include <magmpm/elliptic/newton_solver.h>
 
-#include <paper_scheme/conjugate_gradients.h>
-#include <paper_scheme/maxwell_force.h>
-#include <paper_scheme/potential_stencil.h>
+#include <baselines/paper_scheme/conjugate_gradients.h>
+#include <baselines/paper_scheme/maxwell_force.h>
+#include <baselines/paper_scheme/potential_stencil.h>
 
 namespace magmpm::paper_scheme
 {

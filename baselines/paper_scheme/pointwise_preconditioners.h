@@ -1,6 +1,6 @@
 #pragma once
 
-#include <paper_scheme/potential_stencil.h>
+#include <baselines/paper_scheme/potential_stencil.h>
 
 namespace magmpm::paper_scheme
 {

@@ -1,6 +1,6 @@
 #include <magmpm/base/exceptions.h>
 
-#include <paper_scheme/potential_stencil.h>
+#include <baselines/paper_scheme/potential_stencil.h>
 
 #include <array>
 #include <cmath>

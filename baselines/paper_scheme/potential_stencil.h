@@ -1,7 +1,7 @@
 #pragma once
 
-#include <paper_scheme/coefficient_rows.h>
-#include <paper_scheme/node_vector.h>
+#include <baselines/paper_scheme/coefficient_rows.h>
+#include <baselines/paper_scheme/node_vector.h>
 
 #include <vector>
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace magmpm::benchmarks
+namespace magmpm::baselines
 {
   /** A node: its momentum [kg m/s], or its velocity [m/s], and its mass [kg]. */
   template <int dim>
@@ -92,4 +92,4 @@ namespace magmpm::benchmarks
     std::array<std::size_t, dim> strides = {};
     std::vector<PlainNode<dim>> nodes;
   };
-} // namespace magmpm::benchmarks
+} // namespace magmpm::baselines

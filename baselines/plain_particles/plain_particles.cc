@@ -1,12 +1,12 @@
 #include <magmpm/lattice/bspline.h>
 #include <magmpm/particles/particle_state.h>
 
-#include <plain_particles/plain_particles.h>
+#include <baselines/plain_particles/plain_particles.h>
 
 #include <algorithm>
 #include <numeric>
 
-namespace magmpm::benchmarks
+namespace magmpm::baselines
 {
   namespace
   {
@@ -263,4 +263,4 @@ namespace magmpm::benchmarks
 
   template class PlainParticles<2>;
   template class PlainParticles<3>;
-} // namespace magmpm::benchmarks
+} // namespace magmpm::baselines

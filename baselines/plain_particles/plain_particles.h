@@ -2,12 +2,12 @@
 
 #include <magmpm/particles/body.h>
 
-#include <plain_particles/plain_lattice.h>
+#include <baselines/plain_particles/plain_lattice.h>
 
 #include <variant>
 #include <vector>
 
-namespace magmpm::benchmarks
+namespace magmpm::baselines
 {
   template <int dim, typename Law>
   struct PlainParticle
@@ -82,4 +82,4 @@ namespace magmpm::benchmarks
     std::vector<AnyBody> bodies;
     PlainLattice<dim> plain_lattice;
   };
-} // namespace magmpm::benchmarks
+} // namespace magmpm::baselines

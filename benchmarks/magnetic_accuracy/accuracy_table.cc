@@ -1,6 +1,6 @@
 #include <magnetic_accuracy/accuracy_table.h>
 
-#include <magnetostatics/accuracy_limits.h>
+#include <verification/magnetostatics/accuracy_limits.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +9,8 @@
 
 namespace magmpm::benchmarks
 {
+  using namespace verification;
+
   namespace
   {
     template <typename... Values>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <magnetostatics/accuracy_case.h>
+#include <verification/magnetostatics/accuracy_case.h>
 
 #include <iosfwd>
 #include <string>
@@ -25,7 +25,7 @@ namespace magmpm::benchmarks
 
     /** A row for each error of a case: rms and largest over the offsets. */
     void
-    add(const CaseName &name, const std::vector<Errors> &offsets);
+    add(const CaseName &name, const std::vector<verification::Errors> &offsets);
 
     /** Order of convergence of each error of the series, if it has two resolutions. */
     void
@@ -50,7 +50,7 @@ namespace magmpm::benchmarks
     struct Point
     {
       double resolution;
-      Errors rms;
+      verification::Errors rms;
     };
     CaseName last_name;
     std::vector<Point> points;

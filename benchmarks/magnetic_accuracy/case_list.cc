@@ -1,15 +1,17 @@
 #include <magnetic_accuracy/case_list.h>
 
-#include <magnetostatics/cube_errors.h>
-#include <magnetostatics/ellipsoid_errors.h>
-#include <magnetostatics/pair_errors.h>
-#include <magnetostatics/sphere_errors.h>
+#include <verification/magnetostatics/cube_errors.h>
+#include <verification/magnetostatics/ellipsoid_errors.h>
+#include <verification/magnetostatics/pair_errors.h>
+#include <verification/magnetostatics/sphere_errors.h>
 
 #include <algorithm>
 #include <memory>
 
 namespace magmpm::benchmarks
 {
+  using namespace verification;
+
   namespace
   {
     using Resolutions = std::vector<CaseSeries::Resolution>;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <magnetostatics/accuracy_case.h>
+#include <verification/magnetostatics/accuracy_case.h>
 
 #include <functional>
 #include <string>
@@ -20,8 +20,8 @@ namespace magmpm::benchmarks
     std::string group;
     std::string variant;
     std::vector<Resolution> resolutions;
-    AccuracyCase accuracy_case; ///< what it is apart from resolution and offset
-    std::function<Errors(const AccuracyCase &)> measure;
+    verification::AccuracyCase accuracy_case; ///< what it is apart from resolution and offset
+    std::function<verification::Errors(const verification::AccuracyCase &)> measure;
     bool fits_orders = false; ///< the resolutions are those of one body
   };
 
@@ -32,7 +32,7 @@ namespace magmpm::benchmarks
    */
   template <int dim>
   std::vector<CaseSeries>
-  all_cases(const AccuracyCase &standard);
+  all_cases(const verification::AccuracyCase &standard);
 
   /** The groups of all_cases(), in their order. */
   std::vector<std::string>

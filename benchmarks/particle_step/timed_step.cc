@@ -2,10 +2,10 @@
 #include <magmpm/particles/particle_grid_transfer.h>
 #include <magmpm/particles/particle_sort.h>
 
-#include "particles/random_bodies.h"
+#include <verification/particles/random_bodies.h>
 
+#include <baselines/plain_particles/plain_particles.h>
 #include <particle_step/timed_step.h>
-#include <plain_particles/plain_particles.h>
 #include <speed_against_error/stopwatch.h>
 
 #include <algorithm>
@@ -13,14 +13,16 @@
 
 namespace magmpm::benchmarks
 {
+  using baselines::PlainParticles;
+
   namespace
   {
     class PlainStep : public TimedStep
     {
     public:
-      explicit PlainStep(const ParticleScene &scene)
-        : particles(scene.lattice, scene.bodies)
-        , time_step(scene.time_step)
+      explicit PlainStep(const FallingBlock &block)
+        : particles(block.lattice, block.bodies)
+        , time_step(block.time_step)
       {
       }
 
@@ -48,10 +50,10 @@ namespace magmpm::benchmarks
     class KernelStep : public TimedStep
     {
     public:
-      explicit KernelStep(const ParticleScene &scene)
-        : lattice(scene.lattice)
-        , bodies(scene.bodies)
-        , time_step(scene.time_step)
+      explicit KernelStep(const FallingBlock &block)
+        : lattice(block.lattice)
+        , bodies(block.bodies)
+        , time_step(block.time_step)
         , boundary(lattice, walls(), no_rigid_bodies)
         , particle_mass(bodies[0].particles.component(ParticleProperty::mass, 0)[0])
       {
@@ -63,8 +65,8 @@ namespace magmpm::benchmarks
         switch (phase)
           {
             case Phase::sort:
-              blocks = testing::active_blocks(bodies, lattice);
-              testing::sort_all(blocks, lattice, bodies);
+              blocks = verification::active_blocks(bodies, lattice);
+              verification::sort_all(blocks, lattice, bodies);
               return field.reinit(blocks.size());
             case Phase::p2g:
               return particles_to_lattice(bodies, blocks, lattice, time_step, field);
@@ -103,15 +105,15 @@ namespace magmpm::benchmarks
   }
 
   std::unique_ptr<TimedStep>
-  make_plain_step(const ParticleScene &scene)
+  make_plain_step(const FallingBlock &block)
   {
-    return std::make_unique<PlainStep>(scene);
+    return std::make_unique<PlainStep>(block);
   }
 
   std::unique_ptr<TimedStep>
-  make_kernel_step(const ParticleScene &scene)
+  make_kernel_step(const FallingBlock &block)
   {
-    return std::make_unique<KernelStep>(scene);
+    return std::make_unique<KernelStep>(block);
   }
 
   PhaseTimes

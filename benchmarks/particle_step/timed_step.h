@@ -1,6 +1,6 @@
 #pragma once
 
-#include <particle_step/particle_scene.h>
+#include <particle_step/falling_block.h>
 
 #include <array>
 #include <memory>
@@ -30,7 +30,7 @@ namespace magmpm::benchmarks
     total() const;
   };
 
-  /** One way of advancing the particles of a scene, phase by phase. */
+  /** One way of advancing the particles of a block, phase by phase. */
   class TimedStep
   {
   public:
@@ -42,11 +42,11 @@ namespace magmpm::benchmarks
 
   /** The plain loops of plain_particles.h. */
   std::unique_ptr<TimedStep>
-  make_plain_step(const ParticleScene &scene);
+  make_plain_step(const FallingBlock &block);
 
   /** The kernels of magmpm on one rank. */
   std::unique_ptr<TimedStep>
-  make_kernel_step(const ParticleScene &scene);
+  make_kernel_step(const FallingBlock &block);
 
   /** Sorts once, then takes steps. */
   PhaseTimes

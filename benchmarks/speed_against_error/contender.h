@@ -2,7 +2,7 @@
 
 #include <magmpm/magnetics/magnetics_parameters.h>
 
-#include <paper_scheme/paper_scheme.h>
+#include <baselines/paper_scheme/paper_scheme.h>
 
 #include <speed_against_error/experiment.h>
 

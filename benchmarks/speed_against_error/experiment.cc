@@ -1,14 +1,16 @@
 #include <speed_against_error/experiment.h>
 
-#include <magnetostatics/accuracy_case.h>
-#include <magnetostatics/exact_magnetostatics.h>
-#include <magnetostatics/sources.h>
+#include <verification/magnetostatics/accuracy_case.h>
+#include <verification/magnetostatics/exact_magnetostatics.h>
+#include <verification/magnetostatics/sources.h>
 
 #include <cmath>
 #include <limits>
 
 namespace magmpm::benchmarks
 {
+  using namespace verification;
+
   namespace
   {
     constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
@@ -29,10 +31,10 @@ namespace magmpm::benchmarks
     }
 
     Region<3>
-    body_region(const SceneKind scene, const double radius)
+    body_region(const ExperimentKind kind, const double radius)
     {
-      return scene == SceneKind::cube_near_magnet ? cube_region<3>({}, 2. * radius)
-                                                  : sphere_region<3>({}, radius);
+      return kind == ExperimentKind::cube_near_magnet ? cube_region<3>({}, 2. * radius)
+                                                      : sphere_region<3>({}, radius);
     }
 
     Matrix<3>
@@ -43,15 +45,15 @@ namespace magmpm::benchmarks
   } // namespace
 
   const char *
-  to_string(const SceneKind scene)
+  to_string(const ExperimentKind kind)
   {
-    switch (scene)
+    switch (kind)
       {
-        case SceneKind::sphere_in_uniform_field:
+        case ExperimentKind::sphere_in_uniform_field:
           return "sphere in a uniform field";
-        case SceneKind::sphere_near_dipole:
+        case ExperimentKind::sphere_near_dipole:
           return "sphere near a dipole";
-        case SceneKind::cube_near_magnet:
+        case ExperimentKind::cube_near_magnet:
           return "cube near a magnet";
       }
     return "";
@@ -63,27 +65,27 @@ namespace magmpm::benchmarks
     return oblique_direction<3>();
   }
 
-  Experiment::Experiment(const SceneKind scene,
+  Experiment::Experiment(const ExperimentKind kind,
                          const int resolution,
                          const unsigned int offset,
                          const Medium &medium)
-    : scene(scene)
+    : kind(kind)
     , resolution(resolution)
     , spacing(case_spacing)
     , radius(resolution * case_spacing)
-    , law(scene == SceneKind::sphere_near_dipole ? MagnetizationLaw::linear
-                                                 : MagnetizationLaw::langevin)
+    , law(kind == ExperimentKind::sphere_near_dipole ? MagnetizationLaw::linear
+                                                     : MagnetizationLaw::langevin)
     , content{3. * medium.susceptibility / argument_per_field, medium.susceptibility}
     , medium(medium)
   {
     RandomNumbers random(offset + 1);
     shift        = random.vector_between<3>(-0.5 * spacing, 0.5 * spacing);
-    local_points = jittered_points(body_region(scene, radius), 0.5 * spacing, random);
-    if (scene == SceneKind::cube_near_magnet)
+    local_points = jittered_points(body_region(kind, radius), 0.5 * spacing, random);
+    if (kind == ExperimentKind::cube_near_magnet)
       volume = std::pow(2. * radius, 3);
     else
       volume = ellipsoid_volume<3>({{radius, radius, radius}});
-    if (scene == SceneKind::sphere_in_uniform_field)
+    if (kind == ExperimentKind::sphere_in_uniform_field)
       exact_field = (medium.argument / argument_per_field) * oblique_direction<3>();
   }
 
@@ -100,17 +102,17 @@ namespace magmpm::benchmarks
   Experiment::sources(const Vector<3> &middle) const
   {
     const Vector<3> origin = centre(middle, false);
-    switch (scene)
+    switch (kind)
       {
-        case SceneKind::sphere_in_uniform_field:
+        case ExperimentKind::sphere_in_uniform_field:
           return ExternalField<3>(
             {uniform_source(exact_field + (1. / 3.) * magnetization(law, content, exact_field))});
-        case SceneKind::sphere_near_dipole:
+        case ExperimentKind::sphere_near_dipole:
           return ExternalField<3>(
             {magnet_source(origin + dipole_distance * radius * oblique_direction<3>(),
                            dipole_magnet_radius * radius,
                            dipole_magnetization())});
-        case SceneKind::cube_near_magnet:
+        case ExperimentKind::cube_near_magnet:
           break;
       }
     return ExternalField<3>(
@@ -122,7 +124,7 @@ namespace magmpm::benchmarks
   StateErrors
   Experiment::errors(const MagneticState &state) const
   {
-    if (scene == SceneKind::sphere_near_dipole)
+    if (kind == ExperimentKind::sphere_near_dipole)
       {
         const double magnet   = dipole_magnet_radius * radius;
         const Vector<3> exact = force_of_dipole_on_sphere<3>(

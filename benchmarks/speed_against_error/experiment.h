@@ -9,21 +9,21 @@
 
 namespace magmpm::benchmarks
 {
-  enum class SceneKind
+  enum class ExperimentKind
   {
     sphere_in_uniform_field, ///< Langevin law
     sphere_near_dipole,      ///< linear law, 3 R from the centre: the exact force is a series
     cube_near_magnet         ///< Langevin law, a magnet half as wide as the cube
   };
 
-  inline constexpr SceneKind all_scenes[] = {SceneKind::sphere_in_uniform_field,
-                                             SceneKind::sphere_near_dipole,
-                                             SceneKind::cube_near_magnet};
+  inline constexpr ExperimentKind all_experiments[] = {ExperimentKind::sphere_in_uniform_field,
+                                                       ExperimentKind::sphere_near_dipole,
+                                                       ExperimentKind::cube_near_magnet};
 
   const char *
-  to_string(const SceneKind scene);
+  to_string(const ExperimentKind kind);
 
-  /** The medium of all scenes. */
+  /** The medium of all experiments. */
   struct Medium
   {
     double susceptibility = 0.91; ///< chi_0
@@ -39,7 +39,7 @@ namespace magmpm::benchmarks
     double field_rms = 0.; ///< of H - H_exact within 0.7 R [A/m]
   };
 
-  /** Relative errors; not a number where the scene has none to compare with. */
+  /** Relative errors; not a number where the experiment has none to compare with. */
   struct StateErrors
   {
     double moment;
@@ -67,7 +67,7 @@ namespace magmpm::benchmarks
      * @param resolution  R/dx.
      * @param offset      number of the random place within a cell, and of the jitter.
      */
-    Experiment(const SceneKind scene,
+    Experiment(const ExperimentKind kind,
                const int resolution,
                const unsigned int offset,
                const Medium &medium);
@@ -90,7 +90,7 @@ namespace magmpm::benchmarks
     bool
     is_exact() const
     {
-      return scene != SceneKind::cube_near_magnet;
+      return kind != ExperimentKind::cube_near_magnet;
     }
 
     /** Of a state found at the place that was not moved. */
@@ -103,7 +103,7 @@ namespace magmpm::benchmarks
            const Experiment &finer,
            const MagneticState &reference) const;
 
-    const SceneKind scene;
+    const ExperimentKind kind;
     const int resolution;
     const double spacing; ///< dx [m]
     const double radius;  ///< R, or half the edge [m]

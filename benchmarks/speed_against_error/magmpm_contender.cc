@@ -1,13 +1,15 @@
 #include <speed_against_error/contender.h>
 #include <speed_against_error/stopwatch.h>
 
-#include <magnetostatics/magnetic_scene.h>
+#include <verification/magnetostatics/particle_setup.h>
 
 #include <algorithm>
 #include <cmath>
 
 namespace magmpm::benchmarks
 {
+  using namespace verification;
+
   namespace
   {
     /** Edge of the mechanical box in dx: that of the potential is twice as wide. */
@@ -40,15 +42,15 @@ namespace magmpm::benchmarks
     }
 
     MagneticState
-    state_of(const MagneticScene<3> &scene, const Experiment &experiment, const Vector<3> &centre)
+    state_of(const ParticleSetup<3> &setup, const Experiment &experiment, const Vector<3> &centre)
     {
       MagneticState state;
-      state.moment = scene.moment();
-      state.force  = scene.force();
-      state.virial = scene.virial(centre);
+      state.moment = setup.moment();
+      state.force  = setup.force();
+      state.virial = setup.virial(centre);
 
       double square = 0., volume = 0.;
-      for (const MaterialSample<3> &sample : scene.samples())
+      for (const MaterialSample<3> &sample : setup.samples())
         if (norm(sample.position - centre) < 0.7 * experiment.radius)
           {
             square += sample.weight * norm_square(sample.field - experiment.exact_field);
@@ -75,17 +77,17 @@ namespace magmpm::benchmarks
       const PointBody<3> body        = make_body(experiment, middle, false);
 
       const Stopwatch cold;
-      MagneticScene<3> scene(MPI_COMM_SELF, lattice, mesh, magnetics);
-      scene.set_bodies({body});
-      const SolveReport first = scene.solve(sources);
+      ParticleSetup<3> setup(MPI_COMM_SELF, lattice, mesh, magnetics);
+      setup.set_bodies({body});
+      const SolveReport first = setup.solve(sources);
       Outcome outcome;
       outcome.cold       = cost(first, cold.seconds());
       outcome.n_unknowns = first.n_unknowns;
-      outcome.state      = state_of(scene, experiment, experiment.centre(middle, false));
+      outcome.state      = state_of(setup, experiment, experiment.centre(middle, false));
 
-      scene.set_bodies({make_body(experiment, middle, true)});
+      setup.set_bodies({make_body(experiment, middle, true)});
       const Stopwatch warm;
-      const SolveReport second = scene.solve(sources);
+      const SolveReport second = setup.solve(sources);
       outcome.warm             = cost(second, warm.seconds());
       return outcome;
     }

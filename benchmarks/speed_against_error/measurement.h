@@ -8,7 +8,7 @@
 
 namespace magmpm::benchmarks
 {
-  /** Repeated runs of one contender in one scene at one R/dx, each at another place. */
+  /** Repeated runs of one contender in one experiment at one R/dx, each at another place. */
   class Measurement
   {
   public:

@@ -10,10 +10,10 @@ namespace magmpm::benchmarks
 {
   namespace
   {
-    const std::map<std::string, std::vector<SceneKind>> scenes_by_name = {
-      {"sphere", {SceneKind::sphere_in_uniform_field}},
-      {"dipole", {SceneKind::sphere_near_dipole}},
-      {"cube", {SceneKind::cube_near_magnet}}};
+    const std::map<std::string, std::vector<ExperimentKind>> experiments_by_name = {
+      {"sphere", {ExperimentKind::sphere_in_uniform_field}},
+      {"dipole", {ExperimentKind::sphere_near_dipole}},
+      {"cube", {ExperimentKind::cube_near_magnet}}};
 
     double
     positive(const std::string &option, const std::string &value)
@@ -75,8 +75,8 @@ namespace magmpm::benchmarks
           *number->second = positive(option, value);
         else if (option == "--csv")
           options.csv_file = value;
-        else if (scenes_by_name.count(value) == 1)
-          options.scenes = scenes_by_name.at(value);
+        else if (experiments_by_name.count(value) == 1)
+          options.experiments = experiments_by_name.at(value);
         else
           throw InputError("'" + value + "' cannot follow --only. Write sphere, dipole or cube.");
       }
@@ -87,7 +87,8 @@ namespace magmpm::benchmarks
   speed_usage()
   {
     return "speed_against_error [OPTION VALUE ...]\n"
-           "  --only SCENE           sphere (in a uniform field), dipole (near a sphere) or cube; otherwise\n"
+           "  --only SCENE           sphere (in a uniform field), dipole (near a sphere) or cube; "
+           "otherwise\n"
            "                         all three\n"
            "  --max-resolution N     R/dx at most (16); R is half the edge of a cube\n"
            "  --max-seconds S        what takes longer (cold) is left out on finer lattices (10)\n"

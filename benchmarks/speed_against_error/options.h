@@ -17,8 +17,9 @@ namespace magmpm::benchmarks
     double tolerance      = 1e-6; ///< of Newton's method
     double reference      = 24.;  ///< R/dx of the cube that cubes are compared with
     std::string csv_file  = "speed_against_error.csv";
-    std::vector<SceneKind> scenes = {std::begin(all_scenes), std::end(all_scenes)};
-    bool help                     = false;
+    std::vector<ExperimentKind> experiments = {std::begin(all_experiments),
+                                               std::end(all_experiments)};
+    bool help                               = false;
   };
 
   /** @throw InputError  an unknown option, or a value that is none. */

@@ -74,12 +74,12 @@ namespace magmpm::benchmarks
   }
 
   void
-  SpeedTable::start_scene(const SceneKind new_scene)
+  SpeedTable::start_experiment(const ExperimentKind new_kind)
   {
-    scene = new_scene;
+    kind = new_kind;
     measurements.clear();
     terminal << formatted("\n%s\n%-24s %5s %4s %9s %6s %4s %8s %6s %4s %8s %8s %8s %8s %8s %8s\n",
-                          to_string(scene),
+                          to_string(kind),
                           "",
                           "R/dx",
                           "runs",
@@ -120,7 +120,7 @@ namespace magmpm::benchmarks
                           error_text(errors.virial).c_str())
              << std::flush;
     csv << formatted("%s,%s,\"%s\",%d,%d,%llu,%d,%d,%.2f,%d,%d,%.6g,%.6g,%.4e,%.4e,%.4e,%.4e\n",
-                     to_string(scene),
+                     to_string(kind),
                      to_string(m.scheme),
                      m.contender.c_str(),
                      m.resolution,
@@ -162,7 +162,7 @@ namespace magmpm::benchmarks
     terminal << formatted("\nseconds to %g %% error of %s, %s\n%-24s %26s %26s\n",
                           100. * error,
                           error_names[error_number],
-                          to_string(scene),
+                          to_string(kind),
                           "",
                           "cold",
                           "warm");
@@ -191,7 +191,7 @@ namespace magmpm::benchmarks
   }
 
   void
-  SpeedTable::finish_scene()
+  SpeedTable::finish_experiment()
   {
     if (measurements.empty())
       return;

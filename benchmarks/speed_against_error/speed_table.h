@@ -6,16 +6,16 @@
 
 namespace magmpm::benchmarks
 {
-  /** All measurements of one scene, printed and written as they come. */
+  /** All measurements of one experiment, printed and written as they come. */
   class SpeedTable
   {
   public:
     /** @throw RunError  if the CSV file cannot be written. */
     SpeedTable(std::ostream &terminal, const std::string &csv_file);
 
-    /** What follows is of another scene. */
+    /** What follows is of another experiment. */
     void
-    start_scene(const SceneKind scene);
+    start_experiment(const ExperimentKind kind);
 
     /** A row, with the whole series of a contender by growing resolution. */
     void
@@ -23,12 +23,12 @@ namespace magmpm::benchmarks
 
     /** Time of each contender to 3 % and 1 % error, and the ratios of the fastest ones. */
     void
-    finish_scene();
+    finish_experiment();
 
   private:
     std::ostream &terminal;
     std::ofstream csv;
-    SceneKind scene = SceneKind::sphere_in_uniform_field;
+    ExperimentKind kind = ExperimentKind::sphere_in_uniform_field;
     std::vector<Measurement> measurements;
 
     /** Those of each contender, in the order of their first measurements. */

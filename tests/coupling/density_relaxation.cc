@@ -1,12 +1,13 @@
 #include <magmpm/coupling/density_relaxation.h>
 
 #include "catch.h"
-#include "particles/random_bodies.h"
+
+#include <verification/particles/random_bodies.h>
 
 #include <cmath>
 
 using namespace magmpm;
-using namespace magmpm::testing;
+using namespace magmpm::verification;
 
 namespace
 {

@@ -1,11 +1,12 @@
-#include <magmpm/geometry/sphere_shape.h>
 #include <magmpm/coupling/rigid_hold.h>
+#include <magmpm/geometry/sphere_shape.h>
 
 #include "catch.h"
-#include "particles/random_bodies.h"
+
+#include <verification/particles/random_bodies.h>
 
 using namespace magmpm;
-using namespace magmpm::testing;
+using namespace magmpm::verification;
 
 namespace
 {
@@ -17,11 +18,12 @@ namespace
   }
 } // namespace
 
-TEMPLATE_TEST_CASE_SIG("particles deep inside a rigid shape are put back, and their momentum counted",
-                       "[coupling]",
-                       ((int dim), dim),
-                       2,
-                       3)
+TEMPLATE_TEST_CASE_SIG(
+  "particles deep inside a rigid shape are put back, and their momentum counted",
+  "[coupling]",
+  ((int dim), dim),
+  2,
+  3)
 {
   // Random particles, and a ball that moves through their middle. Those deeper than the tolerated depth
   // come up by a tenth of dx, or to that depth if that is nearer, and go no further in relative to the
@@ -44,9 +46,9 @@ TEMPLATE_TEST_CASE_SIG("particles deep inside a rigid shape are put back, and th
   RigidMotion<dim> motion;
   motion.velocity[0] = 0.2;
 
-  const Body<dim> before   = body;
-  const RigidHold<dim> hold = hold_outside<dim>(
-    blocks, lattice, ball, {centre, identity<dim>()}, motion, tolerated, body);
+  const Body<dim> before = body;
+  const RigidHold<dim> hold =
+    hold_outside<dim>(blocks, lattice, ball, {centre, identity<dim>()}, motion, tolerated, body);
   std::size_t n_inside = 0, n_held = 0;
   double deepest = 0.;
   Vector<dim> impulse;
@@ -54,8 +56,7 @@ TEMPLATE_TEST_CASE_SIG("particles deep inside a rigid shape are put back, and th
     {
       const double was = depth(before, p, centre, radius), is = depth(body, p, centre, radius);
       const Vector<dim> velocity = body.particles.vector(ParticleProperty::velocity, p);
-      const Vector<dim> change =
-        velocity - before.particles.vector(ParticleProperty::velocity, p);
+      const Vector<dim> change = velocity - before.particles.vector(ParticleProperty::velocity, p);
       n_inside += (was > 0.);
       n_held += (was > tolerated);
       deepest = std::max(deepest, was);

@@ -1,10 +1,13 @@
 #include "catch.h"
-#include "magnetics/sphere_solve.h"
 
 #include <magmpm/elliptic/potential_space.h>
 
+#include <verification/magnetostatics/sources.h>
+#include <verification/magnetostatics/sphere_solve.h>
+#include <verification/print_once.h>
+
 using namespace magmpm;
-using namespace magmpm::test;
+using namespace magmpm::verification;
 
 namespace
 {
@@ -12,7 +15,7 @@ namespace
 
   /** A sphere with a = 3 chi_0 |H|/M_s of order one in the field of uniform_field(). */
   template <int dim>
-  TestBody<dim>
+  SampledBody<dim>
   test_sphere(const double place_in_cells)
   {
     Vector<dim> centre;
@@ -32,19 +35,19 @@ namespace
   }
 
   template <int dim>
-  std::unique_ptr<Scene<dim>>
+  std::unique_ptr<SampledSetup<dim>>
   make_scene(MagneticsParameters<dim> parameters,
              const Preconditioner preconditioner,
              const std::array<bool, 2 * dim> &shielded = {})
   {
     parameters.preconditioner = preconditioner;
-    return std::make_unique<Scene<dim>>(32, spacing, 2., parameters, shielded);
+    return std::make_unique<SampledSetup<dim>>(32, spacing, 2., parameters, shielded);
   }
 
   /** Largest difference of two potentials over the size of the first. */
   template <int dim>
   double
-  difference(const Scene<dim> &scene, const Scene<dim> &other)
+  difference(const SampledSetup<dim> &scene, const SampledSetup<dim> &other)
   {
     PotentialVector difference = scene.problem.solution().potential;
     const double size          = difference.linfty_norm();

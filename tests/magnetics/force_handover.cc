@@ -1,10 +1,11 @@
 #include "catch.h"
-#include "scene.h"
 
 #include <magmpm/magnetics/force_handover.h>
 
+#include <verification/magnetostatics/sampled_setup.h>
+
 using namespace magmpm;
-using namespace magmpm::test;
+using namespace magmpm::verification;
 
 // Force on the two layers of nodes around the mass goes to nodes with mass, its sum (what is dropped
 // further out included) stays, on any number of ranks: every node gives all it has in equal parts.
@@ -15,7 +16,7 @@ TEMPLATE_TEST_CASE_SIG("Force without mass is handed inward",
                        3)
 {
   const double dx = 0.25;
-  Scene<dim> scene(16, dx, 2., {});
+  SampledSetup<dim> scene(16, dx, 2., {});
   Vector<dim> centre;
   for (int d = 0; d < dim; ++d)
     centre[d] = 2.1 + 0.05 * d;

@@ -2,17 +2,20 @@
 // material, extreme laws, single particles, gaps, and magnets inside material.
 
 #include "catch.h"
-#include "scene.h"
 
 #include <magmpm/base/constants.h>
 #include <magmpm/elliptic/potential_space.h>
 #include <magmpm/magnetics/material_points.h>
 
+#include <verification/magnetostatics/sampled_setup.h>
+#include <verification/magnetostatics/sources.h>
+#include <verification/print_once.h>
+
 #include <cmath>
 #include <random>
 
 using namespace magmpm;
-using namespace magmpm::test;
+using namespace magmpm::verification;
 
 namespace
 {
@@ -55,7 +58,7 @@ namespace
   /** int M [A m^2; A m in 2D]. */
   template <int dim>
   Vector<dim>
-  moment(const Scene<dim> &scene)
+  moment(const SampledSetup<dim> &scene)
   {
     Vector<dim> sum;
     for (const MaterialSample<dim> &sample : scene.problem.material_samples())
@@ -68,7 +71,7 @@ namespace
   /** Volume of the material [m^dim]. */
   template <int dim>
   double
-  volume(const Scene<dim> &scene)
+  volume(const SampledSetup<dim> &scene)
   {
     return scene.sum(scene.mass, n_lanes - 1);
   }
@@ -76,7 +79,7 @@ namespace
   /** That potential, fields, magnetization and force hold numbers. */
   template <int dim>
   void
-  check_finite(const Scene<dim> &scene)
+  check_finite(const SampledSetup<dim> &scene)
   {
     CHECK(std::isfinite(scene.problem.solution().potential.l2_norm()));
     int n_bad = 0;
@@ -93,7 +96,7 @@ namespace
   }
 
   template <int dim>
-  TestBody<dim>
+  SampledBody<dim>
   middle_sphere(const double radius, const MagneticContent &material, const double middle = 8.)
   {
     Vector<dim> centre;
@@ -116,13 +119,13 @@ TEMPLATE_TEST_CASE_SIG("Where there is no field nothing happens",
     {
       MagneticsParameters<dim> parameters;
       parameters.law = law;
-      Scene<dim> scene(16, spacing, 2., parameters);
+      SampledSetup<dim> scene(16, spacing, 2., parameters);
       scene.set_bodies({middle_sphere<dim>(4., grains(10.))}, 3);
       scene.problem.solve(scene.content, uniform_field<dim>(1e5));
       const SolveReport report = scene.problem.solve(
         scene.content,
         ExternalField<dim>(
-          {sphere_source<dim>(lattice_point<dim>(2., 2.), 2. * spacing, Vector<dim>())}));
+          {magnet_source<dim>(lattice_point<dim>(2., 2.), 2. * spacing, Vector<dim>())}));
       CHECK(report.newton.steps == 0);
       CHECK(report.energy == 0.);
       CHECK(scene.problem.solution().potential.l2_norm() == 0.);
@@ -141,14 +144,14 @@ TEMPLATE_TEST_CASE_SIG("The field may be zero at a point",
                        2,
                        3)
 {
-  Scene<dim> scene(16, spacing, 2., {});
+  SampledSetup<dim> scene(16, spacing, 2., {});
   const double middle    = 9.; // the middle of a cell of 2 dx
   const Vector<dim> null = lattice_point<dim>(middle, middle);
   scene.set_bodies({sphere<dim>(null, 4. * spacing, grains(10.))}, 4);
   const ExternalField<dim> sources(
-    {sphere_source<dim>(
+    {magnet_source<dim>(
        lattice_point<dim>(middle, middle + 9.), 3. * spacing, along<dim>(dim - 1, 1e6)),
-     sphere_source<dim>(
+     magnet_source<dim>(
        lattice_point<dim>(middle, middle - 9.), 3. * spacing, along<dim>(dim - 1, -1e6))});
   const SolveReport report = scene.problem.solve(scene.content, sources);
   check_finite(scene);
@@ -180,7 +183,7 @@ TEMPLATE_TEST_CASE_SIG("Strong fields saturate", "[magnetics][mpi]", ((int dim),
   for (const double chi : {0.91, 10.})
     for (const double a : {1e3, 1e4})
       {
-        Scene<dim> scene(16, spacing, 2., {});
+        SampledSetup<dim> scene(16, spacing, 2., {});
         scene.set_bodies({middle_sphere<dim>(5., grains(chi))}, 4);
         const SolveReport report = scene.problem.solve(scene.content, uniform_field<dim>(a / k2));
         const double fraction    = moment(scene)[dim - 1] /
@@ -211,7 +214,7 @@ TEMPLATE_TEST_CASE_SIG("Newton's method takes few steps at any susceptibility",
   for (const double chi : {0.91, 10., 100., 1000.})
     for (const double a : {0.1, 1., 10., 100.})
       {
-        Scene<dim> scene(16, spacing, 2., {});
+        SampledSetup<dim> scene(16, spacing, 2., {});
         scene.set_bodies({middle_sphere<dim>(5., grains(chi))}, 4);
         const SolveReport report = scene.problem.solve(scene.content, uniform_field<dim>(a / k2));
         print_once("chi_0 %g, a = %g outside, %dD: Newton %d, halvings %d, CG %d",
@@ -230,7 +233,7 @@ TEMPLATE_TEST_CASE_SIG("Newton's method takes few steps at any susceptibility",
 // worse.
 TEMPLATE_TEST_CASE_SIG("There may be no material", "[magnetics][mpi]", ((int dim), dim), 2, 3)
 {
-  Scene<dim> scene(16, spacing, 2., {});
+  SampledSetup<dim> scene(16, spacing, 2., {});
   for (int i = 0; i < 2; ++i)
     {
       scene.set_bodies({});
@@ -263,7 +266,7 @@ TEMPLATE_TEST_CASE_SIG("Material may fill the whole box",
       const double chi = is_shielded ? 10. : 0.1;
       std::array<bool, 2 * dim> shielded;
       shielded.fill(is_shielded);
-      Scene<dim> scene(16, spacing, 2., parameters, shielded);
+      SampledSetup<dim> scene(16, spacing, 2., parameters, shielded);
       scene.set_bodies({box<dim>(Vector<dim>(), upper, grains(chi))}, 3);
       scene.problem.solve(scene.content, uniform_field<dim>(1e5));
       check_finite(scene);
@@ -291,7 +294,7 @@ TEMPLATE_TEST_CASE_SIG("A single particle is a drop", "[magnetics]", ((int dim),
   parameters.law = MagnetizationLaw::linear;
   for (const int cell_edge : {2, 1})
     {
-      Scene<dim> scene(16, spacing, 2., parameters, {}, cell_edge);
+      SampledSetup<dim> scene(16, spacing, 2., parameters, {}, cell_edge);
       const int n_edge = dim == 2 ? 8 : 4, n = power(n_edge, dim);
       double mean = 0., square = 0., largest = 0., lost = 0.;
       for (int i = 0; i < n; ++i)
@@ -336,7 +339,7 @@ TEMPLATE_TEST_CASE_SIG("A particle may be at a node or a quadrature point",
                        2,
                        3)
 {
-  Scene<dim> scene(16, spacing, 2., {});
+  SampledSetup<dim> scene(16, spacing, 2., {});
   const double gauss = std::sqrt(0.6); // of the three points in a cell of 2 dx
   for (const double place : {8., 9., 8. + 1. - gauss})
     {
@@ -367,14 +370,14 @@ TEMPLATE_TEST_CASE_SIG("A spray is many drops", "[magnetics][mpi]", ((int dim), 
 {
   const double chi    = 0.91;
   const double volume = std::pow(0.5, dim);
-  Scene<dim> scene(32, spacing, 2., {});
+  SampledSetup<dim> scene(32, spacing, 2., {});
   std::mt19937 random(2);
   std::uniform_real_distribution<double> shift(0., 2.);
-  std::vector<TestParticle<dim>> particles;
+  std::vector<Sample<dim>> particles;
   const int n_edge = 4, n = power(n_edge, dim);
   for (int i = 0; i < n; ++i)
     {
-      TestParticle<dim> particle = {{}, volume, grains(chi)};
+      Sample<dim> particle = {{}, volume, grains(chi)};
       for (int d = 0, rest = i; d < dim; ++d, rest /= n_edge)
         particle.position[d] = spacing * (2. + 7. * (rest % n_edge) + shift(random));
       particles.push_back(particle);
@@ -405,7 +408,7 @@ TEMPLATE_TEST_CASE_SIG("Bodies that touch make no jump", "[magnetics]", ((int di
     {
       MagneticsParameters<dim> parameters;
       parameters.law = MagnetizationLaw::linear;
-      Scene<dim> scene(24, spacing, 2., parameters);
+      SampledSetup<dim> scene(24, spacing, 2., parameters);
       const double radius = 4., middle = 12.1;
       double first = 0., last = 0., largest_rise = 0., largest_fall = 0.;
       for (double gap = 3.; gap >= -0.5; gap -= 0.25)
@@ -451,7 +454,7 @@ TEMPLATE_TEST_CASE_SIG("Magnets may be driven through material",
 {
   for (const ContactCondition contact : {ContactCondition::slip, ContactCondition::none})
     {
-      Scene<dim> scene(24, spacing, 2., {});
+      SampledSetup<dim> scene(24, spacing, 2., {});
       scene.set_bodies(
         {box<dim>(lattice_point<dim>(6., 6.), lattice_point<dim>(18., 18.), grains(10.))}, 3);
       int most_steps = 0, most_iterations = 0;
@@ -459,7 +462,7 @@ TEMPLATE_TEST_CASE_SIG("Magnets may be driven through material",
         {
           const Vector<dim> centre = lattice_point<dim>(12.3, z);
           SourceParameters<dim> magnet =
-            sphere_source<dim>(centre, 3. * spacing, along<dim>(dim - 1, 1e6));
+            magnet_source<dim>(centre, 3. * spacing, along<dim>(dim - 1, 1e6));
           magnet.contact           = contact;
           const SolveReport report = scene.problem.solve(scene.content,
                                                          ExternalField<dim>({magnet}));
@@ -494,7 +497,7 @@ TEST_CASE("The force is smooth while a magnet's surface crosses a cell", "[magne
   constexpr int dim = 2;
   for (const double gap : {0.5, -1.})
     {
-      Scene<dim> scene(32, spacing, 2., {});
+      SampledSetup<dim> scene(32, spacing, 2., {});
       scene.set_bodies(
         {box<dim>(lattice_point<dim>(10.2, 16.), lattice_point<dim>(21.9, 24.), grains(0.91))}, 4);
       std::vector<double> force;
@@ -502,7 +505,7 @@ TEST_CASE("The force is smooth while a magnet's surface crosses a cell", "[magne
         {
           const Vector<dim> centre = lattice_point<dim>(16.1, 16. - gap - 5. - 0.125 * i);
           SourceParameters<dim> magnet =
-            sphere_source<dim>(centre, 5. * spacing, along<dim>(dim - 1, 1e6));
+            magnet_source<dim>(centre, 5. * spacing, along<dim>(dim - 1, 1e6));
           magnet.contact = ContactCondition::slip;
           scene.problem.solve(scene.content, ExternalField<dim>({magnet}));
           force.push_back(-force_on_nodes(scene, centre).total[dim - 1]);

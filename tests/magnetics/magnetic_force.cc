@@ -1,13 +1,16 @@
 #include "catch.h"
-#include "scene.h"
 
 #include <magmpm/base/constants.h>
 #include <magmpm/mesh/mirror_images.h>
 
+#include <verification/magnetostatics/sampled_setup.h>
+#include <verification/magnetostatics/sources.h>
+#include <verification/print_once.h>
+
 #include <map>
 
 using namespace magmpm;
-using namespace magmpm::test;
+using namespace magmpm::verification;
 
 namespace
 {
@@ -43,7 +46,7 @@ TEMPLATE_TEST_CASE_SIG("There is no net force in a uniform field",
                        2,
                        3)
 {
-  Scene<dim> scene(32, spacing, 2., linear_law<dim>());
+  SampledSetup<dim> scene(32, spacing, 2., linear_law<dim>());
   const Vector<dim> centre = lattice_point<dim>(16.2, 15.9, 16.4);
   scene.set_bodies({sphere<dim>(centre, 8. * spacing, {1., 0.91})});
   Vector<dim> field;
@@ -68,14 +71,14 @@ TEMPLATE_TEST_CASE_SIG("A small sphere is drawn like a dipole",
                        2,
                        3)
 {
-  Scene<dim> scene(64, spacing, 2., linear_law<dim>());
+  SampledSetup<dim> scene(64, spacing, 2., linear_law<dim>());
   const Vector<dim> centre = lattice_point<dim>(41.3, 33.6, 47.2);
   scene.set_bodies({sphere<dim>(centre, 4. * spacing, {1., 0.91})});
   Vector<dim> magnetization;
   magnetization[0]       = 4e5;
   magnetization[dim - 1] = 1e6;
   const ExternalField<dim> sources(
-    {sphere_source<dim>(lattice_point<dim>(20., 20., 10.), 6. * spacing, magnetization)});
+    {magnet_source<dim>(lattice_point<dim>(20., 20., 10.), 6. * spacing, magnetization)});
   const SolveReport report = scene.problem.solve(scene.content, sources);
 
   const Vector<dim> field = sources.field(centre);
@@ -97,11 +100,11 @@ TEMPLATE_TEST_CASE_SIG("The force is the derivative of the energy",
                        2,
                        3)
 {
-  Scene<dim> scene(64, spacing, 2., linear_law<dim>());
+  SampledSetup<dim> scene(64, spacing, 2., linear_law<dim>());
   Vector<dim> magnetization;
   magnetization[0] = 1e6;
   const ExternalField<dim> sources(
-    {sphere_source<dim>(lattice_point<dim>(16., 32., 32.), 8. * spacing, magnetization)});
+    {magnet_source<dim>(lattice_point<dim>(16., 32., 32.), 8. * spacing, magnetization)});
   double energy[3], force[3];
   for (int i = 0; i < 3; ++i)
     {
@@ -129,7 +132,7 @@ TEMPLATE_TEST_CASE_SIG("An oblique spheroid turns into the field",
 {
   const double long_axis = 10. * spacing, short_axis = 5. * spacing, chi = 3.;
   const Vector<dim> centre = lattice_point<dim>(16., 16., 16.);
-  TestBody<dim> body;
+  SampledBody<dim> body;
   body.contains = [=](const Vector<dim> &x) {
     const Vector<dim> r = x - centre;
     const double along  = std::sqrt(0.5) * (r[0] + r[1]);
@@ -142,7 +145,7 @@ TEMPLATE_TEST_CASE_SIG("An oblique spheroid turns into the field",
       body.lower[d] = centre[d] - long_axis;
       body.upper[d] = centre[d] + long_axis;
     }
-  Scene<dim> scene(32, spacing, 2., linear_law<dim>());
+  SampledSetup<dim> scene(32, spacing, 2., linear_law<dim>());
   scene.set_bodies({body});
   const double strength = 1e5;
   const auto energy     = [&](const double x, const double y) {
@@ -191,7 +194,7 @@ TEMPLATE_TEST_CASE_SIG("A layer between mirrors does not feel them",
   constexpr int n_cells                = 16;
   MagneticsParameters<dim> exact_solve = linear_law<dim>();
   exact_solve.newton_tolerance         = 1e-14;
-  Scene<dim> scene(n_cells, spacing, 2., exact_solve, shielded);
+  SampledSetup<dim> scene(n_cells, spacing, 2., exact_solve, shielded);
   Vector<dim> lower, upper, field;
   for (int d = 0; d < dim; ++d)
     upper[d] = n_cells * spacing;

@@ -1,13 +1,15 @@
 #include "catch.h"
-#include "scene.h"
 
 #include <deal.II/base/quadrature_lib.h>
 
 #include <magmpm/elliptic/ml_preconditioner.h>
 #include <magmpm/magnetics/potential_residual.h>
 
+#include <verification/magnetostatics/sampled_setup.h>
+#include <verification/magnetostatics/sources.h>
+
 using namespace magmpm;
-using namespace magmpm::test;
+using namespace magmpm::verification;
 
 namespace
 {
@@ -96,7 +98,7 @@ namespace
     }
 
     static constexpr double spacing = 0.01;
-    Scene<dim> scene;
+    SampledSetup<dim> scene;
     ExternalField<dim> sources;
     std::unique_ptr<PotentialSpace<dim>> space;
     MaterialPoints<dim> material;

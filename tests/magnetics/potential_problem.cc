@@ -1,11 +1,14 @@
 #include "catch.h"
-#include "scene.h"
 
 #include <magmpm/base/constants.h>
 #include <magmpm/elliptic/potential_space.h>
 
+#include <verification/magnetostatics/sampled_setup.h>
+#include <verification/magnetostatics/sources.h>
+#include <verification/print_once.h>
+
 using namespace magmpm;
-using namespace magmpm::test;
+using namespace magmpm::verification;
 
 namespace
 {
@@ -56,10 +59,10 @@ namespace
         centre[d] = 0.5;
       centre[dim - 1] -= 0.25;
       magnetization[dim - 1] = 2e6;
-      return sphere_source<dim>(centre, 0.1, magnetization);
+      return magnet_source<dim>(centre, 0.1, magnetization);
     }
 
-    Scene<dim> scene;
+    SampledSetup<dim> scene;
     ExternalField<dim> sources;
   };
 
@@ -128,7 +131,7 @@ TEMPLATE_TEST_CASE_SIG("Newton's method takes no more steps than needed",
 {
   MagneticsParameters<dim> parameters;
   parameters.law = MagnetizationLaw::linear;
-  Scene<dim> scene(16, spacing, 2., parameters);
+  SampledSetup<dim> scene(16, spacing, 2., parameters);
   Vector<dim> centre, field;
   for (int d = 0; d < dim; ++d)
     centre[d] = 8. * spacing;
@@ -157,8 +160,8 @@ TEST_CASE("The force does not depend on the number of ranks", "[magnetics][mpi]"
 {
   MagneticsParameters<3> parameters;
   parameters.newton_tolerance = 1e-13;
-  Scene<3> scene(32, spacing, 2., parameters);
-  const ExternalField<3> sources({sphere_source<3>({{0.13, 0.1, 0.02}}, 0.05, {{3e5, -2e5, 1e6}}),
+  SampledSetup<3> scene(32, spacing, 2., parameters);
+  const ExternalField<3> sources({magnet_source<3>({{0.13, 0.1, 0.02}}, 0.05, {{3e5, -2e5, 1e6}}),
                                   uniform_source<3>({{0., 1e4, 0.}})});
   scene.set_bodies({sphere<3>({{0.12, 0.135, 0.15}}, 6. * spacing, grains(2.))});
   const SolveReport report = scene.problem.solve(scene.content, sources);
@@ -190,7 +193,7 @@ TEST_CASE("A potential that is not found is an error", "[magnetics][mpi]")
 {
   MagneticsParameters<2> parameters;
   parameters.max_newton_steps = 2;
-  Scene<2> scene(16, spacing, 2., parameters);
+  SampledSetup<2> scene(16, spacing, 2., parameters);
   const ExternalField<2> sources({uniform_source<2>({{1e5, 0.}})});
   scene.set_bodies({sphere<2>({{8. * spacing, 8. * spacing}}, 4. * spacing, grains(10.))});
   CHECK_THROWS_WITH(scene.problem.solve(scene.content, sources),
@@ -207,14 +210,14 @@ TEST_CASE("Each mesh has its own exchange pattern", "[magnetics][mpi]")
   parameters.newton_tolerance = 1e-13;
   const ExternalField<2> sources({uniform_source<2>({{3e4, 8e4}})});
   const auto discs = [](const double x) {
-    return std::vector<TestBody<2>>{
+    return std::vector<SampledBody<2>>{
       sphere<2>({{x * spacing, 12. * spacing}}, 3. * spacing, grains(2.)),
       sphere<2>({{x * spacing, 20. * spacing}}, 3. * spacing, grains(2.))};
   };
-  Scene<2> moved(32, spacing, 2., parameters), fresh(32, spacing, 2., parameters);
+  SampledSetup<2> moved(32, spacing, 2., parameters), fresh(32, spacing, 2., parameters);
   moved.set_bodies(discs(8.));
   moved.problem.solve(moved.content, sources);
-  const auto n_own = [](const Scene<2> &scene) {
+  const auto n_own = [](const SampledSetup<2> &scene) {
     return scene.problem.solution().space->dof_handler.n_locally_owned_dofs();
   };
   const auto n_before = n_own(moved);

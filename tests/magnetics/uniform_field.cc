@@ -1,10 +1,13 @@
 #include "catch.h"
-#include "scene.h"
 
 #include <magmpm/base/constants.h>
 
+#include <verification/magnetostatics/sampled_setup.h>
+#include <verification/magnetostatics/sources.h>
+#include <verification/print_once.h>
+
 using namespace magmpm;
-using namespace magmpm::test;
+using namespace magmpm::verification;
 
 namespace
 {
@@ -85,7 +88,7 @@ namespace
       return -2. * report.energy / (constants::vacuum_permeability * outer_field) / exact;
     }
 
-    Scene<dim> scene;
+    SampledSetup<dim> scene;
     double outer_field, radius;
     Vector<dim> centre;
     SolveReport report;
@@ -227,9 +230,9 @@ TEMPLATE_TEST_CASE_SIG("Shielded faces are mirrors", "[magnetics][mpi]", ((int d
 {
   std::array<bool, 2 *dim> ends = {};
   ends[2 * dim - 2] = ends[2 * dim - 1] = true;
-  Scene<dim> scene(16, spacing, 2., with_law<dim>(MagnetizationLaw::linear), ends);
+  SampledSetup<dim> scene(16, spacing, 2., with_law<dim>(MagnetizationLaw::linear), ends);
   const double centre = 8.1 * spacing, radius = 6. * spacing;
-  TestBody<dim> body;
+  SampledBody<dim> body;
   const auto distance = [centre](const Vector<dim> &x) {
     return dim == 3 ? std::hypot(x[0] - centre, x[1] - centre) : std::abs(x[0] - centre);
   };

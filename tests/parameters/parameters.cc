@@ -6,7 +6,8 @@
 #include <magmpm/parameters/parameter_names.h>
 #include <magmpm/parameters/parameters.h>
 
-#include <program/paths.h>
+#include <verification/program/paths.h>
+
 
 #include <cmath>
 #include <filesystem>
@@ -86,7 +87,7 @@ end
   {
     std::vector<std::filesystem::path> files;
     for (const auto &file :
-         std::filesystem::directory_iterator(testing::source_folder() + "/parameter_files"))
+         std::filesystem::directory_iterator(verification::source_folder() + "/parameter_files"))
       if (file.path().extension() == ".prm")
         files.push_back(file.path());
     return files;

@@ -1,10 +1,11 @@
 #include <magmpm/particles/box_faces.h>
 
 #include "catch.h"
-#include "particles/random_bodies.h"
+
+#include <verification/particles/random_bodies.h>
 
 using namespace magmpm;
-using namespace magmpm::testing;
+using namespace magmpm::verification;
 
 namespace
 {

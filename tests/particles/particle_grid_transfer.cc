@@ -3,13 +3,13 @@
 #include <magmpm/particles/particle_sums.h>
 
 #include "catch.h"
-#include "random_bodies.h"
 
-#include <plain_particles/plain_particles.h>
+#include <baselines/plain_particles/plain_particles.h>
+#include <verification/particles/random_bodies.h>
 
 using namespace magmpm;
-using namespace magmpm::benchmarks;
-using namespace magmpm::testing;
+using namespace magmpm::baselines;
+using namespace magmpm::verification;
 
 namespace
 {

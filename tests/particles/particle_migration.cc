@@ -2,13 +2,14 @@
 #include <magmpm/particles/particle_migration.h>
 
 #include "catch.h"
-#include "random_bodies.h"
+
+#include <verification/particles/random_bodies.h>
 
 #include <algorithm>
 #include <numeric>
 
 using namespace magmpm;
-using namespace magmpm::testing;
+using namespace magmpm::verification;
 
 namespace
 {

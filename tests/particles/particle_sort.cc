@@ -1,14 +1,15 @@
 #include <magmpm/particles/particle_sort.h>
 
 #include "catch.h"
-#include "random_bodies.h"
+
+#include <verification/particles/random_bodies.h>
 
 #include <limits>
 #include <map>
 #include <set>
 
 using namespace magmpm;
-using namespace magmpm::testing;
+using namespace magmpm::verification;
 
 namespace
 {

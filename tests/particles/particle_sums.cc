@@ -4,10 +4,11 @@
 #include <magmpm/particles/seeding.h>
 
 #include "catch.h"
-#include "random_bodies.h"
+
+#include <verification/particles/random_bodies.h>
 
 using namespace magmpm;
-using namespace magmpm::testing;
+using namespace magmpm::verification;
 
 namespace
 {

@@ -2,12 +2,13 @@
 #include <magmpm/particles/seeding.h>
 
 #include "catch.h"
-#include "random_bodies.h"
+
+#include <verification/particles/random_bodies.h>
 
 #include <map>
 
 using namespace magmpm;
-using namespace magmpm::testing;
+using namespace magmpm::verification;
 
 namespace
 {

@@ -2,18 +2,22 @@
 
 #include "catch.h"
 #include "program/equal_runs.h"
-#include "program/particle_frames.h"
-#include "program/scene.h"
 
 #include <vtkMassProperties.h>
 #include <vtkPolyData.h>
 #include <vtkXMLPolyDataReader.h>
+
+#include <verification/program/paths.h>
+#include <verification/program/particle_frame.h>
+#include <verification/program/program_run.h>
+#include <verification/program/statistics.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 
 using namespace magmpm::testing;
+using namespace magmpm::verification;
 
 namespace
 {
@@ -93,7 +97,8 @@ TEST_CASE("A body from a mesh, on 1 and 2 ranks", "[program]")
   CHECK(one.output.find("body: " + std::to_string(n_particles("dragon-1") / 1000) + ",") !=
         std::string::npos);
 
-  auto first = particle_frames("output-dragon-1"), second = particle_frames("output-dragon-2");
+  auto first  = particle_positions("output-dragon-1"),
+       second = particle_positions("output-dragon-2");
   REQUIRE(first.size() == 3);
   REQUIRE(second.size() == 3);
   std::sort(first[0].begin(), first[0].end());
@@ -178,7 +183,7 @@ TEST_CASE("A body from a list of points, on 1 and 2 ranks", "[program]")
   CHECK(one["kinetic energy [J/m]"].front() == Approx(0.5 * 1000. * n * 1e-5));
   CHECK(one["centre of mass y [m]"].front() == Approx(0.16));
   check_equal_runs(one, two, 1e-9, depends_on_ranks);
-  auto first = particle_frames("output-ring")[0];
+  auto first = particle_positions("output-ring")[0];
   REQUIRE(first.size() == std::size_t(n));
   for (const auto &x : first)
     CHECK(std::hypot(x[0] - 0.15, x[1] - 0.16) == Approx(0.1).epsilon(1e-4));

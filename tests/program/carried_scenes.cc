@@ -3,12 +3,15 @@
 
 #include "catch.h"
 #include "program/parameter_file_run.h"
-#include "program/scene.h"
+
+#include <verification/program/program_run.h>
+#include <verification/program/statistics.h>
 
 #include <algorithm>
 #include <cstdio>
 
 using namespace magmpm::testing;
+using namespace magmpm::verification;
 
 namespace
 {

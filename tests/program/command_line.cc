@@ -3,11 +3,13 @@
 
 #include "../catch.h"
 
-#include "program.h"
+#include <verification/program/paths.h>
+#include <verification/program/program_run.h>
+#include <verification/text_file.h>
 
 #include <filesystem>
 
-using namespace magmpm::testing;
+using namespace magmpm::verification;
 
 namespace
 {

@@ -1,7 +1,8 @@
 #pragma once
 
 #include "catch.h"
-#include "program/scene.h"
+
+#include <verification/program/statistics.h>
 
 #include <algorithm>
 #include <cmath>
@@ -47,8 +48,8 @@ namespace magmpm::testing
    */
   template <typename Predicate>
   void
-  check_equal_runs(const Statistics &one,
-                   const Statistics &other,
+  check_equal_runs(const verification::Statistics &one,
+                   const verification::Statistics &other,
                    const double tolerance,
                    const Predicate &ignores)
   {

@@ -1,22 +1,27 @@
 #include "catch.h"
 
-#include "program/small_scene.h"
+#include "program/parameter_text.h"
 
 #include <magmpm/base/constants.h>
+
+#include <verification/program/program_run.h>
+#include <verification/program/statistics.h>
+#include <verification/text_file.h>
 
 #include <cmath>
 
 using namespace magmpm::testing;
+using namespace magmpm::verification;
 
 // What brings scenes to rest, and the artificial force that is compared with a magnet's.
 
 namespace
 {
   /** A small disc of a stiff solid, 0.16 m to the left of the point (0.24, 0.16). */
-  SmallScene
+  ParameterText
   disc()
   {
-    SmallScene scene;
+    ParameterText scene;
     scene.add_solid(
       "rubber", "1e6", "set Saturation magnetization = 4e5\nset Initial susceptibility = 1\n");
     scene.bodies = {{"disc",
@@ -32,7 +37,7 @@ namespace
                              "set Magnetization = 1e6; 0\nset Radius = 0.03\nend\nend\n";
 
   Statistics
-  statistics_of(const std::string &name, const SmallScene &scene)
+  statistics_of(const std::string &name, const ParameterText &scene)
   {
     const Outcome run = run_magmpm(write_scene(name, scene.text()));
     INFO(run.errors);
@@ -47,7 +52,7 @@ TEST_CASE("A body falls to an attracting point as it must", "[program]")
   //   t = sqrt(R^3/(2 mu)) (sqrt(x (1 - x)) + acos(sqrt(x))),  x = 1/2,
   // 0.115 s; a disc of R/8 is drawn up to 1 % differently from a point. Its momentum points to the
   // point, and without the attraction it stays where it is.
-  SmallScene scene            = disc();
+  ParameterText scene         = disc();
   const double g0             = 10.;
   const double t_half         = std::sqrt(0.16 / (2. * g0)) * (0.5 + 0.25 * magmpm::constants::pi);
   scene.end_time              = "0.12";
@@ -79,7 +84,7 @@ TEST_CASE("A matched attraction has the force of the magnets", "[program]")
   // The first step of two runs without gravity, one with the magnet and one with what replaces it: the
   // momentum over the time is the force, in x since the disc lies on the axis. Afterwards there is one
   // solve only.
-  SmallScene scene          = disc();
+  ParameterText scene       = disc();
   scene.end_time            = "0.002";
   const std::string output  = scene.rest;
   scene.rest                = output + magnet;
@@ -111,7 +116,7 @@ TEST_CASE("A run ends when all is at rest", "[program]")
   // A block that falls on the floor and is damped: the run ends long before its end time, says why, has
   // exit code 0, a last frame and a last row, and is as slow as it was asked to be. Resumed from a
   // checkpoint in the middle it ends in the same step; undamped it does not come to rest.
-  SmallScene scene;
+  ParameterText scene;
   scene.end_time = "5";
   scene.gravity  = "0, -9.81";
   scene.add_solid("rubber", "2e4").add_box("block", "rubber", "0.1, 0.01", "0.2, 0.09");

@@ -1,11 +1,11 @@
 #include "catch.h"
 
-#include <mechanics/surface_growth.h>
-#include <mechanics/wire_meniscus.h>
+#include <verification/mechanics/surface_growth.h>
+#include <verification/mechanics/wire_meniscus.h>
 
 #include <cmath>
 
-using namespace magmpm::benchmarks;
+using namespace magmpm::verification;
 
 // Waves on a layer of ferrofluid in a vertical field, coarse cases of benchmarks/surface_growth;
 // doc/verification.md has the table.

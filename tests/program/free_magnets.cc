@@ -1,10 +1,14 @@
 #include "catch.h"
 #include "program/equal_runs.h"
-#include "program/small_scene.h"
+#include "program/parameter_text.h"
+
+#include <verification/program/program_run.h>
+#include <verification/program/statistics.h>
 
 #include <cmath>
 
 using namespace magmpm::testing;
+using namespace magmpm::verification;
 
 namespace
 {
@@ -37,7 +41,7 @@ namespace
   }
 
   Statistics
-  statistics_of(const std::string &name, const SmallScene &scene, const int n_ranks = 1)
+  statistics_of(const std::string &name, const ParameterText &scene, const int n_ranks = 1)
   {
     const Outcome outcome = run_magmpm(write_scene(name, scene.text()), n_ranks);
     INFO(outcome.output << outcome.errors);
@@ -46,10 +50,10 @@ namespace
   }
 
   /** A scene needs a body: a small one far away that nothing acts on. */
-  SmallScene
+  ParameterText
   nothing_but_magnets(const int dim, const std::string &end_time)
   {
-    SmallScene scene;
+    ParameterText scene;
     scene.dim      = dim;
     scene.gravity  = dim == 3 ? "0, 0, 0" : "0, 0";
     scene.box      = dim == 3 ? "0.32, 0.16, 0.16" : "0.32, 0.32";
@@ -94,9 +98,9 @@ TEST_CASE("Two free magnets fall towards each other as two dipoles do", "[progra
   // Two spheres magnetized along their line attract like dipoles: F = 3 mu_0 m^2/(2 pi r^4). Their
   // distance, an ordinary differential equation solved apart, falls from 120 to about 80 mm.
   // Symplectic Euler is of first order: with dt = 0.25 ms, 0.2 % of the way. No material, no solve.
-  SmallScene scene = nothing_but_magnets(3, "0.33");
-  scene.rest       = magnets({{"left", free_ball("0.1; 0.08; 0.08", "1.5e5; 0; 0")},
-                              {"right", free_ball("0.22; 0.08; 0.08", "1.5e5; 0; 0")}}) +
+  ParameterText scene = nothing_but_magnets(3, "0.33");
+  scene.rest          = magnets({{"left", free_ball("0.1; 0.08; 0.08", "1.5e5; 0; 0")},
+                                 {"right", free_ball("0.22; 0.08; 0.08", "1.5e5; 0; 0")}}) +
                longest_step("2.5e-4") + no_frames;
   const Statistics statistics = statistics_of("two-magnets", scene);
   const double volume         = 4. / 3. * pi * 0.02 * 0.02 * 0.02;
@@ -125,7 +129,7 @@ TEST_CASE("Two free magnets pulled together come to rest in contact", "[program]
   // The same, longer and closer: they meet at 40 mm, and stay there, without going through each
   // other or apart. The surfaces are sampled every dx, which leaves facets, and overlaps below a
   // hundredth of dx are tolerated: 3 mm.
-  SmallScene scene = nothing_but_magnets(3, "0.4");
+  ParameterText scene = nothing_but_magnets(3, "0.4");
   scene.rest =
     magnets({{"left", free_ball("0.125; 0.08; 0.08", "3e5; 0; 0", "set Contact = separate\n")},
              {"right", free_ball("0.195; 0.08; 0.08", "3e5; 0; 0", "set Contact = separate\n")}}) +
@@ -145,13 +149,13 @@ TEST_CASE("A compass needle swings with the period of a pendulum", "[program]")
   // elliptic integral. The times at which the spin changes its sign are half periods apart; margin
   // 0.2 %.
   const double start = 150. * pi / 180., magnetization = 1e5, field = 2e4;
-  SmallScene scene = nothing_but_magnets(2, "1");
-  const auto text  = [](const double number) { return std::to_string(number); };
-  scene.rest       = magnets({{"needle",
-                               free_ball("0.16; 0.16",
+  ParameterText scene = nothing_but_magnets(2, "1");
+  const auto text     = [](const double number) { return std::to_string(number); };
+  scene.rest          = magnets({{"needle",
+                                  free_ball("0.16; 0.16",
                                    text(magnetization * std::cos(start)) + "; " +
                                      text(magnetization * std::sin(start)))},
-                              {"field", "set Field = " + text(field) + "; 0\n"}}) +
+                                 {"field", "set Field = " + text(field) + "; 0\n"}}) +
                longest_step("1e-3") + no_frames;
   const Statistics statistics = statistics_of("compass", scene);
   const double per_inertia    = vacuum_permeability * magnetization * field /
@@ -176,10 +180,10 @@ TEST_CASE("A compass needle swings with the period of a pendulum", "[program]")
 namespace
 {
   /** A square of soft magnetic rubber and a free magnet beside it, in 2D, without gravity. */
-  SmallScene
+  ParameterText
   square_and_magnet(const std::string &magnetization, const std::string &lines)
   {
-    SmallScene scene;
+    ParameterText scene;
     scene.end_time = "0.042";
     scene.add_box("square", "rubber", "0.16, 0.1", "0.24, 0.18");
     scene.add_solid(

@@ -1,19 +1,25 @@
 // Cases that have broken codes of this kind: each either runs right or stops with a clear message.
 
 #include "catch.h"
-#include "program/particle_frames.h"
-#include "program/small_scene.h"
+#include "program/parameter_text.h"
+
+#include <verification/program/particle_frame.h>
+#include <verification/program/program_run.h>
+#include <verification/program/statistics.h>
 
 #include <algorithm>
 #include <cmath>
 
 using namespace magmpm::testing;
+using namespace magmpm::verification;
 
 namespace
 {
   /** Runs a scene to its end and returns what it wrote; particles only, unless told. */
   Statistics
-  statistics_of(const SmallScene &scene, const std::string &name, const std::string &options = "")
+  statistics_of(const ParameterText &scene,
+                const std::string &name,
+                const std::string &options = "")
   {
     const Outcome run = run_magmpm(write_scene(name, scene.text()) +
                                    " --set Output/Particles=false --set Output/Fields=false " +
@@ -53,7 +59,7 @@ TEST_CASE("Bodies that meet merge and keep their momentum", "[program]")
   // Two drops and two soft blocks fly into one another in free space. The lattice has one velocity,
   // so they stick; momentum and angular momentum stay, and energy falls. (It rises by 2e-4 before they
   // meet: the lattice sees the density near a corner of a drop a little wrong, and J follows it.)
-  SmallScene scene;
+  ParameterText scene;
   scene.end_time = "0.05";
   scene.add_fluid("water", "2e4", "0.1").add_solid("jelly", "1e4");
   scene.add_box("left", "water", "0.08, 0.08", "0.14, 0.14", "set Velocity = 1, 0.1\n")
@@ -74,7 +80,7 @@ TEST_CASE("A body that tears keeps what is conserved", "[program]")
   // A bar spins so fast that its middle cannot hold it: the ends fly off. No particle is lost and the
   // momenta stay to rounding. Kinetic energy leaves out the spin of the particles in their own C, dx^2/4
   // |C|^2/2 = 5e-5 Omega^2/2 per mass, which is 8.9 % of that of the bar: it may rise by so much.
-  SmallScene scene;
+  ParameterText scene;
   scene.end_time = "0.04";
   scene.add_solid("jelly", "5e2")
     .add_box("bar", "jelly", "0.12, 0.15", "0.2, 0.17", "set Angular velocity = 80\n");
@@ -91,7 +97,7 @@ TEST_CASE("A jet that splashes into a spray stays stable", "[program]")
   // Water at half its wave speed hits a wall and flies apart into single particles, which the
   // limits of the time step must hold: J stays within bounds, and no particle gets faster than the
   // jet was by more than a little.
-  SmallScene scene;
+  ParameterText scene;
   scene.end_time = "0.15";
   scene.gravity  = "0, -9.81";
   scene.add_fluid("water", "1e5", "0.001")
@@ -112,7 +118,7 @@ TEST_CASE("Single particles vibrate within bounds", "[program]")
   // s^2 + d lambda)/(rho dx^2) for a solid stretched by s: it spins, so that it is stretched, and flies
   // through all places between nodes, with node masses down to nothing. At 0.4 dx/c, for an almost
   // incompressible solid and a fluid, it neither gains energy nor leaves its straight way.
-  SmallScene scene;
+  ParameterText scene;
   scene.end_time = "0.2";
   scene.add_fluid("water", "1e4", "0").add_solid("rubber", "1e4");
   scene.materials.back().second = "set Young's modulus = 1e4\nset Poisson ratio = 0.49\n";
@@ -131,7 +137,7 @@ TEST_CASE("A sheet one cell thick falls and folds", "[program]")
 {
   // A sheet of 16 x 1 cells falls on a solid sphere, over which it folds, and on the ground. It stays
   // whole enough to end at rest near the ground, with energy falling all the time.
-  SmallScene scene;
+  ParameterText scene;
   scene.end_time = "0.3";
   scene.gravity  = "0, -9.81";
   scene.add_solid("rubber", "2e4").add_box("sheet", "rubber", "0.08, 0.2", "0.24, 0.21");
@@ -149,7 +155,7 @@ TEST_CASE("A fast magnet is driven through a block", "[program]")
 {
   // A solid magnet crosses a magnetic block at 20 m/s, twice its wave speed, and tears it: its speed
   // limits the time step, no particle is left inside of it, and the run goes on to its end.
-  SmallScene scene;
+  ParameterText scene;
   scene.end_time = "0.012";
   scene
     .add_solid(
@@ -169,7 +175,7 @@ TEST_CASE("A fast magnet is driven through a block", "[program]")
     CHECK(statistics["dt [s]"][row] <= (1. + 1e-9) * 0.4 * 0.01 / 20.);
   // The nodes inside of the magnet move with it; particles may be one cell deep in its surface.
   double deepest = 1.;
-  for (const auto &position : particle_frames("output-" + name).back())
+  for (const auto &position : particle_positions("output-" + name).back())
     deepest = std::min(deepest, std::hypot(position[0] - 0.06 - 20. * 0.012, position[1] - 0.15));
   CHECK(deepest > 0.03 - 0.01);
 }
@@ -181,7 +187,7 @@ TEST_CASE("Material that fills the box stays at rest", "[program]")
   for (const std::string material : {"water", "rubber"})
     for (const std::string gravity : {"0, 0", "0, -9.81"})
       {
-        SmallScene scene;
+        ParameterText scene;
         scene.gravity = gravity;
         scene.box     = "0.16, 0.16";
         scene.add_fluid("water", "1e5", "1").add_solid("rubber", "1e5");
@@ -202,7 +208,7 @@ TEST_CASE("A body that is crushed ends the run before it turns inside out", "[pr
   // A soft block hits a wall at 15 times its wave speed. Its particles are squeezed beyond the limit
   // of J: the run ends in the step in which the first one passes it, names it with its place, its
   // velocity and the limit of the time step, and leaves no row of statistics with what went wrong.
-  SmallScene scene;
+  ParameterText scene;
   scene.add_solid("jelly", "1e3")
     .add_box("block", "jelly", "0.12, 0.02", "0.18, 0.08", "set Velocity = 0, -15\n");
   const Outcome run =
@@ -219,5 +225,5 @@ TEST_CASE("A body that is crushed ends the run before it turns inside out", "[pr
   const Statistics statistics("output-crushed");
   for (std::size_t row = 0; row < statistics.n_rows(); ++row)
     CHECK(statistics["min J [-]"][row] >= 0.05);
-  CHECK(particle_frames("output-crushed").size() > 1);
+  CHECK(particle_positions("output-crushed").size() > 1);
 }

@@ -1,11 +1,15 @@
 // What many steps do to a fluid.
 
 #include "catch.h"
-#include "program/small_scene.h"
+#include "program/parameter_text.h"
+
+#include <verification/program/program_run.h>
+#include <verification/program/statistics.h>
 
 #include <cmath>
 
 using namespace magmpm::testing;
+using namespace magmpm::verification;
 
 TEST_CASE("Shaken water keeps its volume", "[program]")
 {
@@ -13,7 +17,7 @@ TEST_CASE("Shaken water keeps its volume", "[program]")
   // lattice does not resolve mixes the particles. Without relaxation the mean |J - J of the lattice| is
   // 11 % by the end and the centre of mass has sunk from 0.08 to 0.071 m; so the one must stay under
   // 1 %, and the other within the swing of the waves.
-  SmallScene scene;
+  ParameterText scene;
   scene.end_time = "6.5";
   scene.gravity  = "3, -9.81";
   scene.box      = "0.32, 0.32";

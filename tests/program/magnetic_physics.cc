@@ -2,18 +2,21 @@
 // lattice: mean stress, angular momentum, work, momentum.
 
 #include "catch.h"
-#include "program/scene.h"
 
 #include <vtkNew.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLPUnstructuredGridReader.h>
+
+#include <verification/program/paths.h>
+#include <verification/program/program_run.h>
+#include <verification/program/statistics.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 
-using namespace magmpm::testing;
+using namespace magmpm::verification;
 
 namespace
 {

@@ -1,11 +1,16 @@
 #include "catch.h"
 #include "program/equal_runs.h"
-#include "program/scene.h"
+
+#include <verification/program/paths.h>
+#include <verification/program/program_run.h>
+#include <verification/program/statistics.h>
+#include <verification/text_file.h>
 
 #include <algorithm>
 #include <cmath>
 
 using namespace magmpm::testing;
+using namespace magmpm::verification;
 
 namespace
 {

@@ -1,11 +1,15 @@
 #include "catch.h"
-#include "program/particle_frames.h"
-#include "program/scene.h"
+
+#include <verification/program/paths.h>
+#include <verification/program/particle_frame.h>
+#include <verification/program/program_run.h>
+#include <verification/program/statistics.h>
+#include <verification/text_file.h>
 
 #include <algorithm>
 #include <cmath>
 
-using namespace magmpm::testing;
+using namespace magmpm::verification;
 
 namespace
 {
@@ -129,7 +133,7 @@ TEST_CASE("A run that goes astray says so and keeps its results", "[program]")
   CHECK(Statistics("astray").n_rows() > 1);
 
   // What the record names is there, whole, and has all particles: ParaView reads with VTK.
-  const auto frames = particle_frames("astray");
+  const auto frames = particle_positions("astray");
   for (const auto &frame : frames)
     CHECK(frame.size() == 4096);
   CHECK(frames.size() >= 2);

@@ -2,8 +2,10 @@
 
 #include "catch.h"
 #include "program/parameter_file_run.h"
-#include "program/particle_frames.h"
-#include "program/scene.h"
+
+#include <verification/program/particle_frame.h>
+#include <verification/program/program_run.h>
+#include <verification/program/statistics.h>
 
 #include <algorithm>
 #include <array>
@@ -11,6 +13,7 @@
 #include <cstdio>
 
 using namespace magmpm::testing;
+using namespace magmpm::verification;
 
 namespace
 {
@@ -53,7 +56,7 @@ TEST_CASE("Cubes in a uniform field attract along it and repel across it", "[pro
                            "--set \"Output/Frame interval=0.1\"");
     INFO(run.errors);
     REQUIRE(run.exit_code == 0);
-    const auto frames = particle_frames("attraction-" + name);
+    const auto frames = particle_positions("attraction-" + name);
     REQUIRE(frames.size() == 2);
     return distance_along_x(frames[1]) - distance_along_x(frames[0]);
   };
@@ -85,7 +88,7 @@ TEST_CASE("Two dragons are drawn to the magnet between them", "[program]")
                            "--set \"Output/Frame interval=0.16\"");
     INFO(run.errors);
     REQUIRE(run.exit_code == 0);
-    const auto frames = particle_frames("dragons-" + name);
+    const auto frames = particle_positions("dragons-" + name);
     REQUIRE(frames.size() == 2);
     return std::array<double, 2>{
       {distance_from({{0.5, 0.5, 0.5}}, frames[1]) - distance_from({{0.5, 0.5, 0.5}}, frames[0]),

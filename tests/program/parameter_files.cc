@@ -3,13 +3,16 @@
 // a potential that cannot be solved.
 
 #include "catch.h"
-#include "program/scene.h"
+
+#include <verification/program/paths.h>
+#include <verification/program/program_run.h>
+#include <verification/program/statistics.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 
-using namespace magmpm::testing;
+using namespace magmpm::verification;
 
 namespace
 {

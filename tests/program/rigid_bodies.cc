@@ -1,11 +1,15 @@
 #include "catch.h"
 #include "program/equal_runs.h"
-#include "program/small_scene.h"
+#include "program/parameter_text.h"
+
+#include <verification/program/program_run.h>
+#include <verification/program/statistics.h>
 
 #include <algorithm>
 #include <cmath>
 
 using namespace magmpm::testing;
+using namespace magmpm::verification;
 
 namespace
 {
@@ -22,7 +26,7 @@ namespace
   }
 
   Statistics
-  statistics_of(const std::string &name, const SmallScene &scene, const int n_ranks = 1)
+  statistics_of(const std::string &name, const ParameterText &scene, const int n_ranks = 1)
   {
     const Outcome outcome = run_magmpm(write_scene(name, scene.text()), n_ranks);
     INFO(outcome.output << outcome.errors);
@@ -31,10 +35,10 @@ namespace
   }
 
   /** A pool 12 cells deep, and a box 8 cells wide and high just above it. */
-  SmallScene
+  ParameterText
   pool_and_box(const std::string &density, const std::string &lines = "")
   {
-    SmallScene scene;
+    ParameterText scene;
     scene.gravity  = "0, -9.81";
     scene.box      = "0.32, 0.32";
     scene.end_time = "1.6";
@@ -96,7 +100,7 @@ TEST_CASE("A body on a fluid that it sticks to is carried at its speed", "[progr
   // rounding), and in the end both have the mean velocity. With a slipping raft and no friction it
   // stays behind, until the fluid has risen behind it.
   const auto carried = [](const std::string &name, const std::string &contact) {
-    SmallScene scene;
+    ParameterText scene;
     scene.gravity  = "0, -9.81";
     scene.box      = "1.28, 0.16";
     scene.end_time = "0.3";
@@ -130,8 +134,8 @@ TEST_CASE("Rigid bodies do the same on one and on two ranks", "[program]")
 {
   // A box falls into the pool and turns. The ranks hold parts of the fluid and sum what it does to
   // the box: only the order of sums differs, 1e-9 of each column's size in 0.1 s.
-  SmallScene scene     = pool_and_box("700",
-                                  "set Angular velocity = 5\nset Velocity = 0.3, -0.5\n"
+  ParameterText scene  = pool_and_box("700",
+                                     "set Angular velocity = 5\nset Velocity = 0.3, -0.5\n"
                                       "set Contact = separate\nset Friction = 0.3\n");
   scene.end_time       = "0.1";
   const Statistics one = statistics_of("raft-1", scene), two = statistics_of("raft-2", scene, 2);
@@ -142,7 +146,7 @@ TEST_CASE("Rigid bodies do the same on one and on two ranks", "[program]")
 TEST_CASE("A scripted body goes where it is told and pushes what is there", "[program]")
 {
   // A paddle moves through a pool at 0.2 m/s whatever the fluid does, and the fluid in front rises.
-  SmallScene scene;
+  ParameterText scene;
   scene.gravity  = "0, -9.81";
   scene.box      = "0.32, 0.16";
   scene.end_time = "0.3";

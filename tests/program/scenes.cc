@@ -3,7 +3,9 @@
 
 #include "catch.h"
 #include "program/parameter_file_run.h"
-#include "program/particle_frames.h"
+
+#include <verification/program/particle_frame.h>
+#include <verification/program/program_run.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +13,7 @@
 #include <numeric>
 
 using namespace magmpm::testing;
+using namespace magmpm::verification;
 
 namespace
 {
@@ -32,7 +35,7 @@ namespace
         "' --set 'Output/Particle quantities=body' " + options);
     INFO(scene << ": " << run.errors);
     REQUIRE(run.exit_code == 0);
-    return particle_frames(folder);
+    return particle_positions(folder);
   }
 
   /** Part of the particles for which something holds. */

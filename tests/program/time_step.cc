@@ -3,12 +3,17 @@
 // wrong where the user insists on it.
 
 #include "catch.h"
-#include "program/small_scene.h"
+#include "program/parameter_text.h"
+
+#include <verification/program/program_run.h>
+#include <verification/program/statistics.h>
+#include <verification/text_file.h>
 
 #include <algorithm>
 #include <cmath>
 
 using namespace magmpm::testing;
+using namespace magmpm::verification;
 
 namespace
 {
@@ -87,7 +92,7 @@ TEST_CASE("The elastic limit keeps a vibrating bar stable", "[program]")
 {
   // A bar that sticks to a wall at one end and starts with a velocity along itself vibrates, by 5 %
   // of strain. With a factor of 0.4 energy never rises; the bar goes astray from 1.2 to 1.4 on.
-  SmallScene scene;
+  ParameterText scene;
   scene.add_box("bar", "rubber", "0, 0.14", "0.2, 0.18", "set Velocity = 0.5, 0")
     .add_solid("rubber", "1e5");
   const std::string file   = write_scene("vibrating-bar", scene.text()),
@@ -103,7 +108,7 @@ TEST_CASE("The viscous limit keeps a viscous drop stable", "[program]")
 {
   // A drop of 100 Pa s falls on the ground at an angle. With a factor of 0.12 energy falls, from 0.36
   // on it rises; with few and irregular particles 0.48 is a runaway.
-  SmallScene scene;
+  ParameterText scene;
   scene.end_time = "0.05";
   scene.gravity  = "0, -9.81";
   scene.add_fluid("honey", "1e5", "100");
@@ -126,7 +131,7 @@ TEST_CASE("The affine limit keeps a fast spin from turning particles inside out"
 {
   // A soft block spins faster than it can bear and tears. Steps of 0.3/|C| keep J above zero and the
   // energy, which symplectic Euler sways by O(dt), within 15 %; steps of 1.2/|C| turn F inside out.
-  SmallScene scene;
+  ParameterText scene;
   scene.end_time = "0.05";
   scene.add_box("block", "jelly", "0.13, 0.14", "0.19, 0.18", "set Angular velocity = 100")
     .add_solid("jelly", "3e3");
@@ -144,7 +149,7 @@ TEST_CASE("The force limit keeps a strong pull from jumping cells", "[program]")
 {
   // A block at rest is pulled at 3e4 m/s^2 through empty space: a step of 0.3 sqrt(dx/a) takes it 0.09
   // dx far from rest. Energy is that of a body that falls.
-  SmallScene scene;
+  ParameterText scene;
   scene.end_time = "0.002";
   scene.gravity  = "0, -3e4";
   scene.add_box("block", "rubber", "0.13, 0.2", "0.19, 0.24").add_solid("rubber", "1e5");
@@ -158,7 +163,7 @@ TEST_CASE("The magnetic limit keeps a magnetized cube stable", "[program]")
 {
   // A soft block of M_s = 400 kA/m in a field that saturates it: magnetic waves, sqrt(mu_0 M^2/rho) =
   // 14 m/s, are faster than elastic ones at 12 m/s. It is stretched and swings, and runs to the end.
-  SmallScene scene;
+  ParameterText scene;
   scene.end_time = "0.03";
   scene.add_box("block", "rubber", "0.12, 0.16", "0.2, 0.24")
     .add_solid(
@@ -182,7 +187,7 @@ TEST_CASE("A limit that falls below a fixed step in the course of a run ends it"
 {
   // A block falls at rest and dt is 0.99 of its limit at the start: as soon as it moves the sum of
   // wave speed and velocity refuses it. The frames up to there are kept.
-  SmallScene scene;
+  ParameterText scene;
   scene.gravity = "0, -100";
   scene.add_box("block", "rubber", "0.13, 0.2", "0.19, 0.24").add_solid("rubber", "1e5");
   const Outcome run = run_magmpm(write_scene("falling-out", scene.text()) +

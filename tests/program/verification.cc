@@ -1,14 +1,14 @@
 #include "catch.h"
 
-#include <mechanics/channel_flow.h>
-#include <mechanics/dam_break.h>
-#include <mechanics/elastic_bar.h>
-#include <mechanics/hydrostatic_column.h>
-#include <mechanics/spinning_block.h>
+#include <verification/mechanics/channel_flow.h>
+#include <verification/mechanics/dam_break.h>
+#include <verification/mechanics/elastic_bar.h>
+#include <verification/mechanics/hydrostatic_column.h>
+#include <verification/mechanics/spinning_block.h>
 
 #include <cmath>
 
-using namespace magmpm::benchmarks;
+using namespace magmpm::verification;
 
 // The cases of benchmarks/mechanics_verification on their coarser lattices; doc/verification.md has
 // the errors on finer ones and says where they come from.

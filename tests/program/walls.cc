@@ -1,13 +1,18 @@
 // Walls and open faces: nothing passes the ones, and what passes the others is told and counted.
 
 #include "catch.h"
-#include "program/particle_frames.h"
-#include "program/small_scene.h"
+#include "program/parameter_text.h"
+
+#include <verification/program/particle_frame.h>
+#include <verification/program/program_run.h>
+#include <verification/program/statistics.h>
+#include <verification/text_file.h>
 
 #include <algorithm>
 #include <cmath>
 
 using namespace magmpm::testing;
+using namespace magmpm::verification;
 
 namespace
 {
@@ -27,7 +32,7 @@ namespace
   furthest_beyond(const std::string &folder, const int dim, const double edge)
   {
     double beyond = 0.;
-    for (const auto &frame : particle_frames(folder))
+    for (const auto &frame : particle_positions(folder))
       for (const auto &position : frame)
         for (int d = 0; d < dim; ++d)
           beyond = std::max({beyond, -position[d], position[d] - edge});
@@ -35,10 +40,10 @@ namespace
   }
 
   /** A solid and a fluid, which stream to the faces and corners that @p velocities point to. */
-  SmallScene
+  ParameterText
   streams(const std::vector<std::pair<std::string, std::string>> &places_and_velocities)
   {
-    SmallScene scene;
+    ParameterText scene;
     scene.add_solid("rubber", "1e5").add_fluid("water", "1e5", "0.01");
     for (const auto &[corners, velocity] : places_and_velocities)
       {
@@ -55,7 +60,7 @@ namespace
 
   /** Every particle is inside in every frame and none is lost. @return how often walls held one. */
   double
-  check_held(const SmallScene &scene, const std::string &name, const double edge)
+  check_held(const ParameterText &scene, const std::string &name, const double edge)
   {
     const Outcome run =
       run_magmpm(write_scene(name, scene.text()) +
@@ -78,16 +83,16 @@ TEST_CASE("Walls hold jets and bodies that are thrown at them", "[program]")
   double n_held = 0.;
   for (const std::string condition : {"stick", "slip", "separate"})
     {
-      SmallScene scene = streams({{"0.02, 0.13/0.08, 0.19", "-6, 0"},
-                                  {"0.24, 0.13/0.30, 0.19", "6, 0"},
-                                  {"0.13, 0.02/0.19, 0.08", "0, -6"},
-                                  {"0.13, 0.24/0.19, 0.30", "0, 6"},
-                                  {"0.02, 0.02/0.08, 0.08", "-2, -2"},
-                                  {"0.24, 0.02/0.30, 0.08", "2, -2"},
-                                  {"0.02, 0.24/0.08, 0.30", "-3, 3"},
-                                  {"0.24, 0.24/0.30, 0.30", "3, 3"}});
-      scene.end_time   = "0.04";
-      scene.rest       = walls(2, condition);
+      ParameterText scene = streams({{"0.02, 0.13/0.08, 0.19", "-6, 0"},
+                                     {"0.24, 0.13/0.30, 0.19", "6, 0"},
+                                     {"0.13, 0.02/0.19, 0.08", "0, -6"},
+                                     {"0.13, 0.24/0.19, 0.30", "0, 6"},
+                                     {"0.02, 0.02/0.08, 0.08", "-2, -2"},
+                                     {"0.24, 0.02/0.30, 0.08", "2, -2"},
+                                     {"0.02, 0.24/0.08, 0.30", "-3, 3"},
+                                     {"0.24, 0.24/0.30, 0.30", "3, 3"}});
+      scene.end_time      = "0.04";
+      scene.rest          = walls(2, condition);
       n_held += check_held(scene, "thrown-" + condition, 0.32);
     }
   CHECK(n_held > 100.);
@@ -99,18 +104,18 @@ TEST_CASE("Walls hold in three dimensions", "[program]")
   double n_held = 0.;
   for (const std::string condition : {"stick", "slip", "separate"})
     {
-      SmallScene scene = streams({{"0.01, 0.06, 0.06/0.04, 0.09, 0.09", "-4, 0, 0"},
-                                  {"0.12, 0.06, 0.06/0.15, 0.09, 0.09", "4, 0, 0"},
-                                  {"0.06, 0.01, 0.06/0.09, 0.04, 0.09", "0, -4, 0"},
-                                  {"0.06, 0.12, 0.06/0.09, 0.15, 0.09", "0, 4, 0"},
-                                  {"0.06, 0.06, 0.01/0.09, 0.09, 0.04", "0, 0, -4"},
-                                  {"0.06, 0.06, 0.12/0.09, 0.09, 0.15", "0, 0, 4"},
-                                  {"0.12, 0.12, 0.12/0.15, 0.15, 0.15", "2, 2, 2"}});
-      scene.dim        = 3;
-      scene.gravity    = "0, 0, 0";
-      scene.box        = "0.16, 0.16, 0.16";
-      scene.end_time   = "0.015";
-      scene.rest       = walls(3, condition);
+      ParameterText scene = streams({{"0.01, 0.06, 0.06/0.04, 0.09, 0.09", "-4, 0, 0"},
+                                     {"0.12, 0.06, 0.06/0.15, 0.09, 0.09", "4, 0, 0"},
+                                     {"0.06, 0.01, 0.06/0.09, 0.04, 0.09", "0, -4, 0"},
+                                     {"0.06, 0.12, 0.06/0.09, 0.15, 0.09", "0, 4, 0"},
+                                     {"0.06, 0.06, 0.01/0.09, 0.09, 0.04", "0, 0, -4"},
+                                     {"0.06, 0.06, 0.12/0.09, 0.09, 0.15", "0, 0, 4"},
+                                     {"0.12, 0.12, 0.12/0.15, 0.15, 0.15", "2, 2, 2"}});
+      scene.dim           = 3;
+      scene.gravity       = "0, 0, 0";
+      scene.box           = "0.16, 0.16, 0.16";
+      scene.end_time      = "0.015";
+      scene.rest          = walls(3, condition);
       n_held += check_held(scene, "boxed-" + condition, 0.16);
     }
   CHECK(n_held > 0.);
@@ -120,7 +125,7 @@ TEST_CASE("A wall takes the momentum that goes into it and no other", "[program]
 {
   // Water falls askew on a ground along which it slips, and no other wall is near: momentum along the
   // ground stays to rounding while particles are held, that across it ends.
-  SmallScene scene;
+  ParameterText scene;
   scene.end_time = "0.015";
   scene.gravity  = "0, -9.81";
   scene.add_fluid("water", "1e5", "0.01")
@@ -142,7 +147,7 @@ TEST_CASE("Particles that leave through an open face end the run, or are removed
 {
   // A block of 64 particles flies up and out of the open top. As an error the message says who, where
   // and what to do; removed, they are counted to the last, and the run goes on without any.
-  SmallScene scene;
+  ParameterText scene;
   scene.add_solid("rubber", "1e5")
     .add_box("block", "rubber", "0.12, 0.26", "0.16, 0.3", "set Velocity = 0, 3\n");
   scene.rest             = "subsection Walls\nset Upper y = open\nend\n";

@@ -3,7 +3,6 @@
 #include <magmpm/base/constants.h>
 #include <magmpm/results/field_output.h>
 
-#include "../magnetics/scene.h"
 #include "../test_folder.h"
 #include "catch.h"
 #include <vtkDataArray.h>
@@ -11,6 +10,9 @@
 #include <vtkPointData.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLPUnstructuredGridReader.h>
+
+#include <verification/magnetostatics/sampled_setup.h>
+#include <verification/magnetostatics/sources.h>
 
 #include <cmath>
 #include <filesystem>
@@ -96,14 +98,14 @@ TEMPLATE_TEST_CASE_SIG("written fields are read back by VTK",
   const std::string folder = testing::fresh_folder("field_output-" + std::to_string(dim) + "d");
   MagneticsParameters<dim> parameters;
   parameters.law = MagnetizationLaw::linear;
-  test::Scene<dim> scene(24, spacing, 2., parameters);
+  verification::SampledSetup<dim> scene(24, spacing, 2., parameters);
   Vector<dim> centre, outer;
   for (int d = 0; d < dim; ++d)
     centre[d] = 12. * spacing;
   outer[0]            = outer_field;
   const double radius = 7. * spacing;
-  scene.set_bodies({test::sphere<dim>(centre, radius, {1., chi})});
-  const ExternalField<dim> sources({test::uniform_source<dim>(outer)});
+  scene.set_bodies({verification::sphere<dim>(centre, radius, {1., chi})});
+  const ExternalField<dim> sources({verification::uniform_source<dim>(outer)});
   scene.problem.solve(scene.content, sources);
 
   FieldOutput<dim> output(MPI_COMM_WORLD, folder, names_of(field_quantities<dim>()));
@@ -132,9 +134,9 @@ TEST_CASE("the written field is continuous", "[results]")
 {
   const std::string folder = testing::fresh_folder("field_output-continuous");
   MagneticsParameters<2> parameters;
-  test::Scene<2> scene(24, spacing, 2., parameters);
-  scene.set_bodies({test::sphere<2>({{0.12, 0.12}}, 0.05, {1e5, chi})});
-  const ExternalField<2> sources({test::uniform_source<2>({{outer_field, 0.}})});
+  verification::SampledSetup<2> scene(24, spacing, 2., parameters);
+  scene.set_bodies({verification::sphere<2>({{0.12, 0.12}}, 0.05, {1e5, chi})});
+  const ExternalField<2> sources({verification::uniform_source<2>({{outer_field, 0.}})});
   scene.problem.solve(scene.content, sources);
   FieldOutput<2> output(MPI_COMM_WORLD, folder, {"H_int"});
   output.write_frame(0, 0., scene.problem, sources);
@@ -176,8 +178,8 @@ TEST_CASE("the written B counts the magnetization of magnets", "[results]")
 {
   const std::string folder = testing::fresh_folder("field_output-magnets");
   MagneticsParameters<2> parameters;
-  test::Scene<2> scene(24, spacing, 2., parameters);
-  scene.set_bodies({test::sphere<2>({{0.12, 0.12}}, 0.05, {1e5, chi})});
+  verification::SampledSetup<2> scene(24, spacing, 2., parameters);
+  scene.set_bodies({verification::sphere<2>({{0.12, 0.12}}, 0.05, {1e5, chi})});
   SourceParameters<2> rectangle;
   rectangle.type          = SourceType::cuboid;
   rectangle.size          = {{0.06, 0.04}};

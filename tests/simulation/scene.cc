@@ -6,10 +6,10 @@
 #include <magmpm/parallel/reduce.h>
 #include <magmpm/parameters/parameter_file.h>
 
-#include <program/paths.h>
-
 #include "../catch.h"
 #include "../test_folder.h"
+
+#include <verification/program/paths.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -18,6 +18,7 @@
 
 using namespace magmpm;
 using namespace magmpm::testing;
+using namespace magmpm::verification;
 
 namespace
 {

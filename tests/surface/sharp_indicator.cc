@@ -1,12 +1,14 @@
 #include "catch.h"
-#include "magnetics/scene.h"
 
 #include <magmpm/elliptic/potential_space.h>
 #include <magmpm/magnetics/material_points.h>
 #include <magmpm/mesh/node_filters.h>
 
+#include <verification/magnetostatics/sampled_setup.h>
+#include <verification/magnetostatics/sources.h>
+
 using namespace magmpm;
-using namespace magmpm::test;
+using namespace magmpm::verification;
 
 namespace
 {
@@ -18,7 +20,7 @@ namespace
   class Medium
   {
   public:
-    explicit Medium(const std::vector<TestBody<dim>> &bodies,
+    explicit Medium(const std::vector<SampledBody<dim>> &bodies,
                     const int cell_edge                               = 2,
                     const std::array<bool, 2 *dim> &shielded          = {},
                     const std::vector<SourceParameters<dim>> &sources = {})
@@ -64,13 +66,13 @@ namespace
       return scene.sum(scene.mass, n_lanes - 1);
     }
 
-    Scene<dim> scene;
+    SampledSetup<dim> scene;
     std::unique_ptr<MaterialPoints<dim>> points;
     unsigned int n_cells;
   };
 
   template <int dim>
-  TestBody<dim>
+  SampledBody<dim>
   test_sphere(const double radius, const double shift = 0.)
   {
     Vector<dim> centre;
@@ -113,8 +115,8 @@ TEMPLATE_TEST_CASE_SIG("The surface is sharp and in place",
                        2,
                        3)
 {
-  const TestBody<dim> body = test_sphere<dim>(8.);
-  const Vector<dim> centre = 0.5 * (body.lower + body.upper);
+  const SampledBody<dim> body = test_sphere<dim>(8.);
+  const Vector<dim> centre    = 0.5 * (body.lower + body.upper);
   const Medium<dim> medium({body});
   const auto distance  = [&](const Vector<dim> &x) { return norm(x - centre) / spacing; };
   const double inside  = medium.integrate([&](const unsigned int point, const auto &x) {
@@ -175,9 +177,9 @@ TEMPLATE_TEST_CASE_SIG("Solid magnets exclude material", "[surface][mpi]", ((int
 {
   Vector<dim> magnetization;
   magnetization[0]             = 1e6;
-  const TestBody<dim> body     = test_sphere<dim>(6.);
+  const SampledBody<dim> body  = test_sphere<dim>(6.);
   const Vector<dim> centre     = body.upper; // in the corner of the box around the body
-  SourceParameters<dim> magnet = sphere_source<dim>(centre, 6. * spacing, magnetization);
+  SourceParameters<dim> magnet = magnet_source<dim>(centre, 6. * spacing, magnetization);
   for (const bool is_solid : {true, false})
     {
       magnet.contact = is_solid ? ContactCondition::slip : ContactCondition::none;
@@ -198,7 +200,7 @@ TEMPLATE_TEST_CASE_SIG("The smoothing filter is symmetric and conservative",
                        3)
 {
   const Medium<dim> medium({test_sphere<dim>(5.)});
-  const Scene<dim> &scene = medium.scene;
+  const SampledSetup<dim> &scene = medium.scene;
   NodeField<dim> field;
   field.reinit(scene.partition.blocks().size());
   scene.for_owned_nodes([&](const int slot, const int node, const Vector<dim> &x) {

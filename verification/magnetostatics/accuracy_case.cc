@@ -1,10 +1,10 @@
-#include <magnetostatics/accuracy_case.h>
-#include <magnetostatics/exact_magnetostatics.h>
+#include <verification/magnetostatics/accuracy_case.h>
+#include <verification/magnetostatics/exact_magnetostatics.h>
 
 #include <cmath>
 #include <stdexcept>
 
-namespace magmpm::benchmarks
+namespace magmpm::verification
 {
   namespace
   {
@@ -62,22 +62,22 @@ namespace magmpm::benchmarks
   }
 
   template <int dim>
-  CaseScene<dim>::CaseScene(const AccuracyCase &accuracy_case, const double width)
+  CaseSetup<dim>::CaseSetup(const AccuracyCase &accuracy_case, const double width)
     : accuracy_case(accuracy_case)
     , lattice(case_lattice<dim>(width))
     , random(accuracy_case.offset + 1)
     , centre(0.5 * lattice.upper_corner() +
              random.template vector_between<dim>(-case_spacing, case_spacing))
-    , scene(accuracy_case.communicator,
-            lattice,
-            case_mesh<dim>(accuracy_case),
-            case_magnetics<dim>(accuracy_case))
+    , magnetics(accuracy_case.communicator,
+                lattice,
+                case_mesh<dim>(accuracy_case),
+                case_magnetics<dim>(accuracy_case))
   {
   }
 
   template <int dim>
   PointBody<dim>
-  CaseScene<dim>::body(const Region<dim> &region, const double volume)
+  CaseSetup<dim>::body(const Region<dim> &region, const double volume)
   {
     constexpr int per_edge        = (dim == 3 ? 2 : 3);
     const MagneticContent content = accuracy_case.content();
@@ -92,7 +92,7 @@ namespace magmpm::benchmarks
 
   template <int dim>
   PointBody<dim>
-  CaseScene<dim>::sphere(const Vector<dim> &sphere_centre, const double radius)
+  CaseSetup<dim>::sphere(const Vector<dim> &sphere_centre, const double radius)
   {
     const double stretch = accuracy_case.stretch;
     Vector<dim> half_axes;
@@ -133,8 +133,8 @@ namespace magmpm::benchmarks
       return {{std::cos(1.), std::sin(1.)}};
   }
 
-  template class CaseScene<2>;
-  template class CaseScene<3>;
+  template class CaseSetup<2>;
+  template class CaseSetup<3>;
   template Vector<2>
   oblique_direction();
   template Vector<3>
@@ -143,4 +143,4 @@ namespace magmpm::benchmarks
   second_direction();
   template Vector<3>
   second_direction();
-} // namespace magmpm::benchmarks
+} // namespace magmpm::verification

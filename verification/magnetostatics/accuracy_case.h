@@ -1,12 +1,12 @@
 #pragma once
 
-#include <magnetostatics/jittered_points.h>
-#include <magnetostatics/magnetic_scene.h>
+#include <verification/magnetostatics/jittered_points.h>
+#include <verification/magnetostatics/particle_setup.h>
 
 #include <string>
 #include <vector>
 
-namespace magmpm::benchmarks
+namespace magmpm::verification
 {
   struct NamedError
   {
@@ -52,15 +52,15 @@ namespace magmpm::benchmarks
   inline constexpr double argument_per_field = 3.31e-5;
 
   /**
-   * The lattice, mesh and scene of a case: a box of n cells, somewhere near its middle the centre
+   * The lattice and the magnetics of a case: a box of n cells, somewhere near its middle the centre
    * of what is looked at.
    */
   template <int dim>
-  class CaseScene
+  class CaseSetup
   {
   public:
     /** @param width  of the mechanical box at least, in dx; made a multiple of 8. */
-    CaseScene(const AccuracyCase &accuracy_case, const double width);
+    CaseSetup(const AccuracyCase &accuracy_case, const double width);
 
     /** Jittered particles in a region, 2^3 a cell (3^2 in 2D), of exactly its volume. */
     PointBody<dim>
@@ -74,7 +74,7 @@ namespace magmpm::benchmarks
     const Lattice<dim> lattice;
     RandomNumbers random;
     const Vector<dim> centre; ///< the middle of the box, moved by up to dx along each axis [m]
-    MagneticScene<dim> scene;
+    ParticleSetup<dim> magnetics;
   };
 
   /** A direction oblique to the lattice, a unit vector. */
@@ -94,4 +94,4 @@ namespace magmpm::benchmarks
   {
     return norm(a - b) / norm(b);
   }
-} // namespace magmpm::benchmarks
+} // namespace magmpm::verification

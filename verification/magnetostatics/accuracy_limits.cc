@@ -1,8 +1,8 @@
-#include <magnetostatics/accuracy_limits.h>
+#include <verification/magnetostatics/accuracy_limits.h>
 
 #include <cmath>
 
-namespace magmpm::benchmarks
+namespace magmpm::verification
 {
   namespace
   {
@@ -84,4 +84,4 @@ namespace magmpm::benchmarks
         return limit.value;
     return {};
   }
-} // namespace magmpm::benchmarks
+} // namespace magmpm::verification

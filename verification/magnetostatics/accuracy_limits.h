@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-namespace magmpm::benchmarks
+namespace magmpm::verification
 {
   /**
    * What the error of a case (rms over offsets from the lattice) may be at most, with the sharp
@@ -20,4 +20,4 @@ namespace magmpm::benchmarks
                  const std::string &variant,
                  const double resolution,
                  const std::string &measure);
-} // namespace magmpm::benchmarks
+} // namespace magmpm::verification

@@ -1,26 +1,26 @@
-#include <magnetostatics/cube_errors.h>
-#include <magnetostatics/sources.h>
+#include <verification/magnetostatics/cube_errors.h>
+#include <verification/magnetostatics/sources.h>
 
 #include <cmath>
 
-namespace magmpm::benchmarks
+namespace magmpm::verification
 {
   template <int dim>
   typename CubeErrors<dim>::Result
   CubeErrors<dim>::solve(const AccuracyCase &accuracy_case)
   {
     const double edge = accuracy_case.resolution * case_spacing;
-    CaseScene<dim> setup(accuracy_case, 2. * accuracy_case.resolution);
-    setup.scene.set_bodies({setup.body(cube_region(setup.centre, edge), std::pow(edge, dim))});
+    CaseSetup<dim> setup(accuracy_case, 2. * accuracy_case.resolution);
+    setup.magnetics.set_bodies({setup.body(cube_region(setup.centre, edge), std::pow(edge, dim))});
 
     Result result;
-    setup.scene.solve(ExternalField<dim>({uniform_source(1e5 * second_direction<dim>())}));
-    result.moment = (1. / std::pow(edge, dim)) * setup.scene.moment();
-    setup.scene.solve(
+    setup.magnetics.solve(ExternalField<dim>({uniform_source(1e5 * second_direction<dim>())}));
+    result.moment = (1. / std::pow(edge, dim)) * setup.magnetics.moment();
+    setup.magnetics.solve(
       ExternalField<dim>({magnet_source(setup.centre + 1.5 * edge * oblique_direction<dim>(),
                                         0.15 * edge,
                                         1e6 * second_direction<dim>())}));
-    result.force = (1. / std::pow(edge, dim - 1)) * setup.scene.force();
+    result.force = (1. / std::pow(edge, dim - 1)) * setup.magnetics.force();
     return result;
   }
 
@@ -37,4 +37,4 @@ namespace magmpm::benchmarks
 
   template class CubeErrors<2>;
   template class CubeErrors<3>;
-} // namespace magmpm::benchmarks
+} // namespace magmpm::verification

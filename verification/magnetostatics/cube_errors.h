@@ -1,10 +1,10 @@
 #pragma once
 
-#include <magnetostatics/accuracy_case.h>
+#include <verification/magnetostatics/accuracy_case.h>
 
 #include <optional>
 
-namespace magmpm::benchmarks
+namespace magmpm::verification
 {
   /**
    * A cube (2D: a square) along the lattice, its edge the case's resolution in dx, against the
@@ -37,4 +37,4 @@ namespace magmpm::benchmarks
     AccuracyCase fine;
     std::optional<Result> reference;
   };
-} // namespace magmpm::benchmarks
+} // namespace magmpm::verification

@@ -1,12 +1,12 @@
 #include <magmpm/base/constants.h>
 
-#include <magnetostatics/ellipsoid_errors.h>
-#include <magnetostatics/exact_magnetostatics.h>
-#include <magnetostatics/sources.h>
+#include <verification/magnetostatics/ellipsoid_errors.h>
+#include <verification/magnetostatics/exact_magnetostatics.h>
+#include <verification/magnetostatics/sources.h>
 
 #include <cmath>
 
-namespace magmpm::benchmarks
+namespace magmpm::verification
 {
   namespace
   {
@@ -93,9 +93,9 @@ namespace magmpm::benchmarks
      */
     template <int dim>
     double
-    grain_error(const CaseScene<dim> &setup, const PointBody<dim> &body)
+    grain_error(const CaseSetup<dim> &setup, const PointBody<dim> &body)
     {
-      const double found = setup.scene.template integral<double>(
+      const double found = setup.magnetics.template integral<double>(
         [](const MaterialSample<dim> &sample) { return sample.number_density; });
       return found / (body.volume * body.magnetic.number_density) - 1.;
     }
@@ -112,15 +112,15 @@ namespace magmpm::benchmarks
 
     template <int dim>
     MomentError
-    moment_error(CaseScene<dim> &setup,
+    moment_error(CaseSetup<dim> &setup,
                  const PointBody<dim> &body,
                  const Vector<dim> &field,
                  const Vector<dim> &exact_magnetization)
     {
-      setup.scene.set_bodies({body});
-      setup.scene.solve(ExternalField<dim>({uniform_source(field)}));
+      setup.magnetics.set_bodies({body});
+      setup.magnetics.solve(ExternalField<dim>({uniform_source(field)}));
       const Vector<dim> exact = body.volume * exact_magnetization;
-      const Vector<dim> found = setup.scene.moment();
+      const Vector<dim> found = setup.magnetics.moment();
       return {relative_error(found, exact), dot(found, exact) / norm_square(exact) - 1.};
     }
   } // namespace
@@ -138,13 +138,13 @@ namespace magmpm::benchmarks
                               spheroid.in_space(unit_vector<dim>(0) + unit_vector<dim>(1));
     const Vector<dim> magnetization = spheroid.exact_magnetization(accuracy_case, field);
 
-    CaseScene<dim> setup(accuracy_case, 4. * accuracy_case.resolution);
+    CaseSetup<dim> setup(accuracy_case, 4. * accuracy_case.resolution);
     const PointBody<dim> body = setup.body(spheroid.region(setup.centre), spheroid.volume());
     const double moment       = moment_error(setup, body, field, magnetization).all;
     const auto exact = (constants::vacuum_permeability * body.volume) * cross(magnetization, field);
-    return {{"torque", relative_error(torque_of(setup.scene.virial(setup.centre)), exact)},
+    return {{"torque", relative_error(torque_of(setup.magnetics.virial(setup.centre)), exact)},
             {"torque, particles",
-             relative_error(torque_of(setup.scene.virial_of_particles(setup.centre)), exact)},
+             relative_error(torque_of(setup.magnetics.virial_of_particles(setup.centre)), exact)},
             {"dipole moment", moment}};
   }
 
@@ -156,7 +156,7 @@ namespace magmpm::benchmarks
     for (int d = 0; d < dim; ++d)
       half_axes[d] = (d < dim - 1 ? 12. : 0.5 * accuracy_case.resolution) * case_spacing;
     const Ellipsoid<dim> sheet(half_axes);
-    CaseScene<dim> setup(accuracy_case, 32.);
+    CaseSetup<dim> setup(accuracy_case, 32.);
     const PointBody<dim> body = setup.body(sheet.region(setup.centre), sheet.volume());
 
     const auto error = [&](const int axis) {
@@ -176,7 +176,7 @@ namespace magmpm::benchmarks
       half_axes[d] = accuracy_case.resolution * case_spacing;
     const Ellipsoid<dim> drop(half_axes);
     const Vector<dim> field = outer_field * oblique_direction<dim>();
-    CaseScene<dim> setup(accuracy_case, 16.);
+    CaseSetup<dim> setup(accuracy_case, 16.);
     const PointBody<dim> body = setup.body(drop.region(setup.centre), drop.volume());
     const MomentError moment =
       moment_error(setup, body, field, drop.exact_magnetization(accuracy_case, field));
@@ -190,7 +190,7 @@ namespace magmpm::benchmarks
   particle_errors(const AccuracyCase &accuracy_case)
   {
     const Vector<dim> field = outer_field * oblique_direction<dim>();
-    CaseScene<dim> setup(accuracy_case, 16.);
+    CaseSetup<dim> setup(accuracy_case, 16.);
     PointBody<dim> particle = setup.body(sphere_region(setup.centre, 0.), 1.);
     particle.volume         = std::pow(case_spacing / (dim == 3 ? 2. : 3.), dim);
     const Vector<dim> exact =
@@ -209,4 +209,4 @@ namespace magmpm::benchmarks
 
   MAGMPM_INSTANTIATE(2)
   MAGMPM_INSTANTIATE(3)
-} // namespace magmpm::benchmarks
+} // namespace magmpm::verification

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <magnetostatics/accuracy_case.h>
+#include <verification/magnetostatics/accuracy_case.h>
 
-namespace magmpm::benchmarks
+namespace magmpm::verification
 {
   /**
    * A prolate spheroid (2D: an ellipse) of axes 2:1 and the volume of a sphere of radius R, a
@@ -36,4 +36,4 @@ namespace magmpm::benchmarks
   template <int dim>
   Errors
   particle_errors(const AccuracyCase &accuracy_case);
-} // namespace magmpm::benchmarks
+} // namespace magmpm::verification

@@ -2,11 +2,11 @@
 #include <magmpm/base/exceptions.h>
 
 #include <boost/math/special_functions/ellint_rd.hpp>
-#include <magnetostatics/exact_magnetostatics.h>
+#include <verification/magnetostatics/exact_magnetostatics.h>
 
 #include <cmath>
 
-namespace magmpm::benchmarks
+namespace magmpm::verification
 {
   namespace
   {
@@ -198,4 +198,4 @@ namespace magmpm::benchmarks
 
   MAGMPM_INSTANTIATE(2)
   MAGMPM_INSTANTIATE(3)
-} // namespace magmpm::benchmarks
+} // namespace magmpm::verification

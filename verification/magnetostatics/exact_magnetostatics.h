@@ -7,7 +7,7 @@
  * Exact solutions for bodies in vacuum. In 2D a sphere is a cylinder and an ellipsoid an elliptic
  * cylinder across the field, a dipole is a line dipole, and forces are per metre of depth.
  */
-namespace magmpm::benchmarks
+namespace magmpm::verification
 {
   /** [m^3], or [m^2]. */
   template <int dim>
@@ -86,4 +86,4 @@ namespace magmpm::benchmarks
                             const double radius,
                             const Vector<dim> &place,
                             const Vector<dim> &dipole);
-} // namespace magmpm::benchmarks
+} // namespace magmpm::verification

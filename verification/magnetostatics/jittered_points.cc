@@ -1,9 +1,9 @@
-#include <magnetostatics/jittered_points.h>
+#include <verification/magnetostatics/jittered_points.h>
 
 #include <algorithm>
 #include <cmath>
 
-namespace magmpm::benchmarks
+namespace magmpm::verification
 {
   template <int dim>
   Region<dim>
@@ -76,4 +76,4 @@ namespace magmpm::benchmarks
 
   MAGMPM_INSTANTIATE(2)
   MAGMPM_INSTANTIATE(3)
-} // namespace magmpm::benchmarks
+} // namespace magmpm::verification

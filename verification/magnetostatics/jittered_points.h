@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-namespace magmpm::benchmarks
+namespace magmpm::verification
 {
   /** Random numbers that are the same on every platform and rank. */
   class RandomNumbers
@@ -69,4 +69,4 @@ namespace magmpm::benchmarks
   template <int dim>
   std::vector<Vector<dim>>
   jittered_points(const Region<dim> &region, const double distance, RandomNumbers &random);
-} // namespace magmpm::benchmarks
+} // namespace magmpm::verification

@@ -1,11 +1,11 @@
-#include <magnetostatics/exact_magnetostatics.h>
-#include <magnetostatics/pair_errors.h>
-#include <magnetostatics/sources.h>
-#include <magnetostatics/two_spheres.h>
+#include <verification/magnetostatics/exact_magnetostatics.h>
+#include <verification/magnetostatics/pair_errors.h>
+#include <verification/magnetostatics/sources.h>
+#include <verification/magnetostatics/two_spheres.h>
 
 #include <algorithm>
 
-namespace magmpm::benchmarks
+namespace magmpm::verification
 {
   namespace
   {
@@ -45,7 +45,7 @@ namespace magmpm::benchmarks
 
       // The middle of the whole comes to that of the box; this is wide, since the force of an open
       // face on the pair counts as a violation of the third law.
-      CaseScene<dim> setup(accuracy_case, 8. * accuracy_case.resolution);
+      CaseSetup<dim> setup(accuracy_case, 8. * accuracy_case.resolution);
       const Vector<dim> first = setup.centre -
                                 (0.5 * length - spheres.radius[0]) * oblique_direction<dim>();
       const Vector<dim> centres[2] = {first, first + spheres.separation};
@@ -55,8 +55,8 @@ namespace magmpm::benchmarks
           bodies.push_back(setup.sphere(centres[s], spheres.radius[s]));
           bodies.back().magnetic.initial_susceptibility = spheres.susceptibility[s];
         }
-      setup.scene.set_bodies(bodies);
-      setup.scene.solve(ExternalField<dim>({uniform_source(field)}));
+      setup.magnetics.set_bodies(bodies);
+      setup.magnetics.solve(ExternalField<dim>({uniform_source(field)}));
 
       PairResult<dim> result;
       result.exact       = two_spheres_in_uniform_field(spheres, field);
@@ -65,11 +65,12 @@ namespace magmpm::benchmarks
       };
       for (int s = 0; s < 2; ++s)
         {
-          result.force[s]  = setup.scene.force_on_body(s);
-          result.moment[s] = setup.scene.template integral<Vector<dim>>([&](const auto &sample) {
-            const bool is_nearer = surface(sample.position, s) < surface(sample.position, 1 - s);
-            return is_nearer ? sample.magnetization : Vector<dim>();
-          });
+          result.force[s] = setup.magnetics.force_on_body(s);
+          result.moment[s] =
+            setup.magnetics.template integral<Vector<dim>>([&](const auto &sample) {
+              const bool is_nearer = surface(sample.position, s) < surface(sample.position, 1 - s);
+              return is_nearer ? sample.magnetization : Vector<dim>();
+            });
         }
       return result;
     }
@@ -109,4 +110,4 @@ namespace magmpm::benchmarks
 
   MAGMPM_INSTANTIATE(2)
   MAGMPM_INSTANTIATE(3)
-} // namespace magmpm::benchmarks
+} // namespace magmpm::verification

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <magnetostatics/accuracy_case.h>
+#include <verification/magnetostatics/accuracy_case.h>
 
-namespace magmpm::benchmarks
+namespace magmpm::verification
 {
   /**
    * Two spheres of radius R in a uniform field, a gap of R/2 between them, the field oblique to the
@@ -23,4 +23,4 @@ namespace magmpm::benchmarks
   template <int dim>
   Errors
   unequal_pair_errors(const AccuracyCase &accuracy_case, const double small_susceptibility);
-} // namespace magmpm::benchmarks
+} // namespace magmpm::verification

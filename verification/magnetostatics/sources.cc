@@ -1,8 +1,8 @@
-#include <magnetostatics/sources.h>
+#include <verification/magnetostatics/sources.h>
 
 #include <cstdio>
 
-namespace magmpm::benchmarks
+namespace magmpm::verification
 {
   namespace
   {
@@ -54,4 +54,4 @@ namespace magmpm::benchmarks
   magnet_source(const Vector<2> &, const double, const Vector<2> &);
   template SourceParameters<3>
   magnet_source(const Vector<3> &, const double, const Vector<3> &);
-} // namespace magmpm::benchmarks
+} // namespace magmpm::verification

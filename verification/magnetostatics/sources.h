@@ -2,7 +2,7 @@
 
 #include <magmpm/magnets/source_parameters.h>
 
-namespace magmpm::benchmarks
+namespace magmpm::verification
 {
   /** A uniform field H_0 [A/m]. */
   template <int dim>
@@ -13,4 +13,4 @@ namespace magmpm::benchmarks
   template <int dim>
   SourceParameters<dim>
   magnet_source(const Vector<dim> &centre, const double radius, const Vector<dim> &magnetization);
-} // namespace magmpm::benchmarks
+} // namespace magmpm::verification

@@ -1,13 +1,13 @@
 #include <magmpm/base/constants.h>
 
-#include <magnetostatics/exact_magnetostatics.h>
-#include <magnetostatics/sources.h>
-#include <magnetostatics/sphere_errors.h>
+#include <verification/magnetostatics/exact_magnetostatics.h>
+#include <verification/magnetostatics/sources.h>
+#include <verification/magnetostatics/sphere_errors.h>
 
 #include <array>
 #include <cmath>
 
-namespace magmpm::benchmarks
+namespace magmpm::verification
 {
   namespace
   {
@@ -85,10 +85,10 @@ namespace magmpm::benchmarks
     force_error(const AccuracyCase &accuracy_case, const DipoleField<dim> &dipole)
     {
       const double radius = accuracy_case.resolution * case_spacing;
-      CaseScene<dim> setup(accuracy_case, 4. * accuracy_case.resolution);
-      setup.scene.set_bodies({setup.sphere(setup.centre, radius)});
-      setup.scene.solve(dipole.sources(setup.centre));
-      return relative_error(setup.scene.force(),
+      CaseSetup<dim> setup(accuracy_case, 4. * accuracy_case.resolution);
+      setup.magnetics.set_bodies({setup.sphere(setup.centre, radius)});
+      setup.magnetics.solve(dipole.sources(setup.centre));
+      return relative_error(setup.magnetics.force(),
                             dipole.exact_force(accuracy_case.susceptibility, radius));
     }
 
@@ -134,9 +134,9 @@ namespace magmpm::benchmarks
     const UniformState<dim> exact =
       sphere_in_uniform_field(accuracy_case.law(), accuracy_case.content(), field);
 
-    CaseScene<dim> setup(accuracy_case, 4. * accuracy_case.resolution);
-    setup.scene.set_bodies({setup.sphere(setup.centre, radius)});
-    setup.scene.solve(ExternalField<dim>({uniform_source(field)}));
+    CaseSetup<dim> setup(accuracy_case, 4. * accuracy_case.resolution);
+    setup.magnetics.set_bodies({setup.sphere(setup.centre, radius)});
+    setup.magnetics.solve(ExternalField<dim>({uniform_source(field)}));
 
     const auto inner = [&](const auto &value) {
       return [&, value](const MaterialSample<dim> &sample) {
@@ -146,26 +146,27 @@ namespace magmpm::benchmarks
       };
     };
     const double inner_volume =
-      setup.scene.template integral<double>(inner([](const Vector<dim> &) { return 1.; }));
-    const double mean_square = setup.scene.template integral<double>(
+      setup.magnetics.template integral<double>(inner([](const Vector<dim> &) { return 1.; }));
+    const double mean_square = setup.magnetics.template integral<double>(
                                  inner([](const Vector<dim> &h) { return norm_square(h); })) /
                                inner_volume;
-    const Vector<dim> mean = (1. / inner_volume) * setup.scene.template integral<Vector<dim>>(
+    const Vector<dim> mean = (1. / inner_volume) * setup.magnetics.template integral<Vector<dim>>(
                                                      inner([](const Vector<dim> &h) { return h; }));
 
     const Matrix<dim> exact_virial = surface_virial_of_sphere(volume, exact.magnetization);
-    const Matrix<dim> virial       = setup.scene.virial(setup.centre);
-    const Matrix<dim> carried      = setup.scene.virial_of_particles(setup.centre);
+    const Matrix<dim> virial       = setup.magnetics.virial(setup.centre);
+    const Matrix<dim> carried      = setup.magnetics.virial_of_particles(setup.centre);
     const double exact_deviator    = deviator(exact_virial, direction);
     const double net_scale = constants::vacuum_permeability * norm_square(exact.magnetization) *
                              volume / radius;
-    return {{"dipole moment", relative_error(setup.scene.moment(), volume * exact.magnetization)},
+    return {{"dipole moment",
+             relative_error(setup.magnetics.moment(), volume * exact.magnetization)},
             {"rms H inside 0.7 R", std::sqrt(mean_square) / norm(exact.field)},
             {"mean H inside 0.7 R", norm(mean) / norm(exact.field)},
             {"virial deviator", deviator(virial, direction) / exact_deviator - 1.},
             {"virial deviator, particles", deviator(carried, direction) / exact_deviator - 1.},
             {"virial trace", trace(virial) / trace(exact_virial) - 1.},
-            {"net force", norm(setup.scene.force()) / net_scale}};
+            {"net force", norm(setup.magnetics.force()) / net_scale}};
   }
 
   template <int dim>
@@ -206,12 +207,12 @@ namespace magmpm::benchmarks
     wide.box_factor *= 16.;
 
     const auto moment_and_force = [&](const AccuracyCase &boxed) {
-      CaseScene<dim> setup(boxed, 32.);
-      setup.scene.set_bodies({setup.sphere(setup.centre, radius)});
-      setup.scene.solve(ExternalField<dim>({uniform_source(outer_field<dim>(boxed))}));
-      const Vector<dim> moment = setup.scene.moment();
-      setup.scene.solve(dipole.sources(setup.centre));
-      return std::array<Vector<dim>, 2>{moment, setup.scene.force()};
+      CaseSetup<dim> setup(boxed, 32.);
+      setup.magnetics.set_bodies({setup.sphere(setup.centre, radius)});
+      setup.magnetics.solve(ExternalField<dim>({uniform_source(outer_field<dim>(boxed))}));
+      const Vector<dim> moment = setup.magnetics.moment();
+      setup.magnetics.solve(dipole.sources(setup.centre));
+      return std::array<Vector<dim>, 2>{moment, setup.magnetics.force()};
     };
     const auto narrow_box = moment_and_force(accuracy_case);
     const auto wide_box   = moment_and_force(wide);
@@ -229,16 +230,16 @@ namespace magmpm::benchmarks
     const DipoleField<dim> dipole = dipole_at_three_radii<dim>(radius);
     const Vector<dim> direction   = oblique_direction<dim>();
 
-    CaseScene<dim> setup(accuracy_case, 4. * accuracy_case.resolution);
+    CaseSetup<dim> setup(accuracy_case, 4. * accuracy_case.resolution);
     PointBody<dim> body              = setup.sphere(setup.centre, radius);
     const ExternalField<dim> sources = dipole.sources(setup.centre);
     std::array<std::vector<double>, dim> ratios;
     double work = 0., first_energy = 0., last_energy = 0.;
     for (int i = 0; i <= n_steps; ++i)
       {
-        setup.scene.set_bodies({body});
-        last_energy             = setup.scene.solve(sources).energy;
-        const Vector<dim> force = setup.scene.force();
+        setup.magnetics.set_bodies({body});
+        last_energy             = setup.magnetics.solve(sources).energy;
+        const Vector<dim> force = setup.magnetics.force();
         if (i == 0)
           first_energy = last_energy;
         // Simpson's rule.
@@ -269,4 +270,4 @@ namespace magmpm::benchmarks
 
   MAGMPM_INSTANTIATE(2)
   MAGMPM_INSTANTIATE(3)
-} // namespace magmpm::benchmarks
+} // namespace magmpm::verification

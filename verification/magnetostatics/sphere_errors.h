@@ -1,8 +1,8 @@
 #pragma once
 
-#include <magnetostatics/accuracy_case.h>
+#include <verification/magnetostatics/accuracy_case.h>
 
-namespace magmpm::benchmarks
+namespace magmpm::verification
 {
   /**
    * A sphere (2D: a cylinder) in a uniform field:
@@ -48,4 +48,4 @@ namespace magmpm::benchmarks
   template <int dim>
   Errors
   translation_errors(const AccuracyCase &accuracy_case);
-} // namespace magmpm::benchmarks
+} // namespace magmpm::verification

@@ -3,13 +3,13 @@
 
 #include <boost/math/special_functions/binomial.hpp>
 #include <boost/math/special_functions/factorials.hpp>
-#include <magnetostatics/two_spheres.h>
+#include <verification/magnetostatics/two_spheres.h>
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-namespace magmpm::benchmarks
+namespace magmpm::verification
 {
   namespace
   {
@@ -186,4 +186,4 @@ namespace magmpm::benchmarks
   two_spheres_in_uniform_field(const TwoSpheres<2> &, const Vector<2> &);
   template TwoSpheresSolution<3>
   two_spheres_in_uniform_field(const TwoSpheres<3> &, const Vector<3> &);
-} // namespace magmpm::benchmarks
+} // namespace magmpm::verification

@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace magmpm::benchmarks
+namespace magmpm::verification
 {
   /** Two spheres of linear media in vacuum, apart from each other; two parallel cylinders in 2D. */
   template <int dim>
@@ -35,4 +35,4 @@ namespace magmpm::benchmarks
   template <int dim>
   TwoSpheresSolution<dim>
   two_spheres_in_uniform_field(const TwoSpheres<dim> &spheres, const Vector<dim> &outer_field);
-} // namespace magmpm::benchmarks
+} // namespace magmpm::verification

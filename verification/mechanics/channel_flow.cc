@@ -1,11 +1,11 @@
-#include <mechanics/channel_flow.h>
-#include <mechanics/particle_frame.h>
-#include <mechanics/scene_run.h>
+#include <verification/mechanics/channel_flow.h>
+#include <verification/program/particle_frame.h>
+#include <verification/program/program_run.h>
 
 #include <algorithm>
 #include <cmath>
 
-namespace magmpm::benchmarks
+namespace magmpm::verification
 {
   namespace
   {
@@ -99,4 +99,4 @@ end
       largest = std::max(largest, std::abs(velocity[layer] - exact[layer]) / number[layer]);
     return largest;
   }
-} // namespace magmpm::benchmarks
+} // namespace magmpm::verification

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace magmpm::benchmarks
+namespace magmpm::verification
 {
   enum class ChannelFlow
   {
@@ -17,4 +17,4 @@ namespace magmpm::benchmarks
    */
   double
   velocity_error(const ChannelFlow flow, const int cells);
-} // namespace magmpm::benchmarks
+} // namespace magmpm::verification

@@ -1,13 +1,13 @@
-#include <mechanics/dam_break.h>
-#include <mechanics/particle_frame.h>
-#include <mechanics/scene_run.h>
+#include <verification/mechanics/dam_break.h>
+#include <verification/program/particle_frame.h>
+#include <verification/program/program_run.h>
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
 
-namespace magmpm::benchmarks
+namespace magmpm::verification
 {
   namespace
   {
@@ -118,4 +118,4 @@ end
         largest = std::max(largest, std::abs(front.simulated / front.measured - 1.));
     return largest;
   }
-} // namespace magmpm::benchmarks
+} // namespace magmpm::verification

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-namespace magmpm::benchmarks
+namespace magmpm::verification
 {
   /** The front of a collapsing column at an instant: T = t sqrt(2 g/a), Z = x/a. */
   struct DamFront
@@ -31,4 +31,4 @@ namespace magmpm::benchmarks
    */
   double
   dam_front_error(const std::vector<DamFront> &fronts);
-} // namespace magmpm::benchmarks
+} // namespace magmpm::verification

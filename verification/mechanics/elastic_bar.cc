@@ -1,12 +1,12 @@
-#include <mechanics/elastic_bar.h>
-#include <mechanics/scene_run.h>
 
-#include "program/scene.h"
+#include <verification/mechanics/elastic_bar.h>
+#include <verification/program/program_run.h>
+#include <verification/program/statistics.h>
 
 #include <algorithm>
 #include <stdexcept>
 
-namespace magmpm::benchmarks
+namespace magmpm::verification
 {
   namespace
   {
@@ -68,7 +68,7 @@ end
   frequency_error(const int cells)
   {
     const std::string folder = run_scene("elastic-bar-" + std::to_string(cells), scene(cells));
-    const testing::Statistics statistics(folder);
+    const Statistics statistics(folder);
     const std::vector<double> &times  = statistics["time [s]"];
     const std::vector<double> &places = statistics["centre of mass x [m]"];
     const auto [least, most]          = std::minmax_element(places.begin(), places.end());
@@ -78,4 +78,4 @@ end
     const double frequency = (passes.size() - 1) / (passes.back() - passes.front());
     return frequency / (wave_speed / (4. * length)) - 1.;
   }
-} // namespace magmpm::benchmarks
+} // namespace magmpm::verification

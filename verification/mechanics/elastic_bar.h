@@ -1,6 +1,6 @@
 #pragma once
 
-namespace magmpm::benchmarks
+namespace magmpm::verification
 {
   /**
    * Frequency of an elastic bar that is fixed at one end and free at the other: it starts to swing
@@ -12,4 +12,4 @@ namespace magmpm::benchmarks
    */
   double
   frequency_error(const int cells);
-} // namespace magmpm::benchmarks
+} // namespace magmpm::verification

@@ -1,11 +1,11 @@
-#include <mechanics/hydrostatic_column.h>
-#include <mechanics/particle_frame.h>
-#include <mechanics/scene_run.h>
+#include <verification/mechanics/hydrostatic_column.h>
+#include <verification/program/particle_frame.h>
+#include <verification/program/program_run.h>
 
 #include <algorithm>
 #include <cmath>
 
-namespace magmpm::benchmarks
+namespace magmpm::verification
 {
   namespace
   {
@@ -89,4 +89,4 @@ end
       }
     return errors;
   }
-} // namespace magmpm::benchmarks
+} // namespace magmpm::verification

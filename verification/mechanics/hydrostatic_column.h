@@ -1,6 +1,6 @@
 #pragma once
 
-namespace magmpm::benchmarks
+namespace magmpm::verification
 {
   /** Errors of the pressure over rho g H. */
   struct HydrostaticErrors
@@ -17,4 +17,4 @@ namespace magmpm::benchmarks
    */
   HydrostaticErrors
   hydrostatic_errors(const int cells);
-} // namespace magmpm::benchmarks
+} // namespace magmpm::verification

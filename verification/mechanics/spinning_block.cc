@@ -1,12 +1,12 @@
-#include <mechanics/scene_run.h>
-#include <mechanics/spinning_block.h>
 
-#include "program/scene.h"
+#include <verification/mechanics/spinning_block.h>
+#include <verification/program/program_run.h>
+#include <verification/program/statistics.h>
 
 #include <algorithm>
 #include <cmath>
 
-namespace magmpm::benchmarks
+namespace magmpm::verification
 {
   namespace
   {
@@ -50,8 +50,7 @@ end
   double
   angular_momentum_error(const int cells)
   {
-    const testing::Statistics statistics(
-      run_scene("spinning-block-" + std::to_string(cells), scene(cells)));
+    const Statistics statistics(run_scene("spinning-block-" + std::to_string(cells), scene(cells)));
     double square = 0., change = 0.;
     for (const char axis : {'x', 'y', 'z'})
       {
@@ -62,4 +61,4 @@ end
       }
     return change / std::sqrt(square);
   }
-} // namespace magmpm::benchmarks
+} // namespace magmpm::verification

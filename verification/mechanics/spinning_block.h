@@ -1,6 +1,6 @@
 #pragma once
 
-namespace magmpm::benchmarks
+namespace magmpm::verification
 {
   /**
    * Angular momentum of an elastic block that spins and vibrates without gravity, for six turns.
@@ -10,4 +10,4 @@ namespace magmpm::benchmarks
    */
   double
   angular_momentum_error(const int cells);
-} // namespace magmpm::benchmarks
+} // namespace magmpm::verification

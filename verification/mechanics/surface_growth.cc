@@ -1,14 +1,14 @@
 #include <magmpm/base/constants.h>
 
-#include <mechanics/particle_frame.h>
-#include <mechanics/scene_run.h>
-#include <mechanics/surface_growth.h>
+#include <verification/mechanics/surface_growth.h>
+#include <verification/program/particle_frame.h>
+#include <verification/program/program_run.h>
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-namespace magmpm::benchmarks
+namespace magmpm::verification
 {
   namespace
   {
@@ -207,4 +207,4 @@ subsection Output
     growth.final_steepness  = k * last;
     return growth;
   }
-} // namespace magmpm::benchmarks
+} // namespace magmpm::verification

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace magmpm::benchmarks
+namespace magmpm::verification
 {
   /**
    * A deep layer of magnetizable fluid of linear law in a vertical field, in 2D, between mirrors, with
@@ -42,4 +42,4 @@ namespace magmpm::benchmarks
    */
   SurfaceGrowth
   surface_growth(const SurfaceWave &wave);
-} // namespace magmpm::benchmarks
+} // namespace magmpm::verification

@@ -1,15 +1,14 @@
 #include <magmpm/base/constants.h>
 #include <magmpm/materials/magnetization.h>
 
-#include "program/scene.h"
-
-#include <mechanics/particle_frame.h>
-#include <mechanics/scene_run.h>
-#include <mechanics/wire_meniscus.h>
+#include <verification/mechanics/wire_meniscus.h>
+#include <verification/program/particle_frame.h>
+#include <verification/program/program_run.h>
+#include <verification/program/statistics.h>
 
 #include <cmath>
 
-namespace magmpm::benchmarks
+namespace magmpm::verification
 {
   namespace
   {
@@ -128,7 +127,7 @@ subsection Output
     if (pool.current > 0.)
       heights.exact = (exact_mean(pool.current, near) - exact_mean(pool.current, far)) / edge;
     const double mass = density * 0.25 * edge * edge * edge;
-    heights.speed = std::sqrt(2. * testing::Statistics(folder).last("kinetic energy [J]") / mass);
+    heights.speed     = std::sqrt(2. * Statistics(folder).last("kinetic energy [J]") / mass);
     return heights;
   }
-} // namespace magmpm::benchmarks
+} // namespace magmpm::verification

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace magmpm::benchmarks
+namespace magmpm::verification
 {
   /** A pool of ferrofluid around a vertical wire with a current; Langevin law, close to saturation. */
   struct WireMeniscus
@@ -26,4 +26,4 @@ namespace magmpm::benchmarks
    */
   MeniscusHeights
   meniscus_heights(const WireMeniscus &pool);
-} // namespace magmpm::benchmarks
+} // namespace magmpm::verification

@@ -1,6 +1,6 @@
-#include <program/paths.h>
+#include <verification/program/paths.h>
 
-namespace magmpm::testing
+namespace magmpm::verification
 {
   std::string
   source_folder()
@@ -19,4 +19,4 @@ namespace magmpm::testing
   {
     return MAGMPM_MPIEXEC;
   }
-} // namespace magmpm::testing
+} // namespace magmpm::verification

@@ -9,7 +9,7 @@
 namespace magmpm::benchmarks
 {
   /** A block of one material that falls onto the floor of its box. */
-  struct ParticleScene
+  struct FallingBlock
   {
     std::string name;
     Lattice<3> lattice; ///< the floor is its lowest face
@@ -23,11 +23,11 @@ namespace magmpm::benchmarks
    *
    * @param n_particles  about as many; 110,592 are 24 cells along an edge.
    */
-  ParticleScene
+  FallingBlock
   elastic_cube(const double n_particles);
 
   /** A block of viscous fluid of the same shape. */
-  ParticleScene
+  FallingBlock
   fluid_block(const double n_particles);
 
   inline constexpr double gravity = -9.81; ///< along z [m/s^2]

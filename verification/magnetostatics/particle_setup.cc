@@ -1,12 +1,11 @@
+#include <magmpm/lattice/node_window.h>
 #include <magmpm/particles/magnetic_transfer.h>
 #include <magmpm/particles/particle_grid_transfer.h>
 #include <magmpm/particles/particle_migration.h>
 
-#include <magnetostatics/magnetic_scene.h>
+#include <verification/magnetostatics/particle_setup.h>
 
-#include <ostream>
-
-namespace magmpm::benchmarks
+namespace magmpm::verification
 {
   namespace
   {
@@ -34,24 +33,8 @@ namespace magmpm::benchmarks
   } // namespace
 
   template <int dim>
-  MagneticScene<dim>::MagneticScene(const MPI_Comm communicator,
-                                    const Lattice<dim> &lattice,
-                                    const MeshParameters<dim> &mesh_parameters,
-                                    const MagneticsParameters<dim> &magnetics)
-    : communicator(communicator)
-    , lattice(lattice)
-    , mesh(communicator, lattice, mesh_parameters)
-    , partition(mesh)
-    , potential(mesh, partition, magnetics, timer)
-  {
-  }
-
-  template <int dim>
-  MagneticScene<dim>::~MagneticScene() = default;
-
-  template <int dim>
   void
-  MagneticScene<dim>::set_bodies(const std::vector<PointBody<dim>> &point_bodies)
+  ParticleSetup<dim>::set_bodies(const std::vector<PointBody<dim>> &point_bodies)
   {
     bodies.clear();
     for (const PointBody<dim> &point_body : point_bodies)
@@ -61,7 +44,7 @@ namespace magmpm::benchmarks
 
   template <int dim>
   void
-  MagneticScene<dim>::seed(const PointBody<dim> &point_body)
+  ParticleSetup<dim>::seed(const PointBody<dim> &point_body)
   {
     bodies.emplace_back(body_parameters<dim>(), elastic_material(point_body.magnetic));
     ParticleSet<dim> &particles = bodies.back().particles;
@@ -86,7 +69,7 @@ namespace magmpm::benchmarks
 
   template <int dim>
   void
-  MagneticScene<dim>::distribute_particles()
+  ParticleSetup<dim>::distribute_particles()
   {
     const OccupiedBlocks<dim> occupied = occupied_blocks(bodies, lattice, true);
     mesh.adapt(occupied.blocks, occupied.n_particles);
@@ -108,12 +91,12 @@ namespace magmpm::benchmarks
 
   template <int dim>
   SolveReport
-  MagneticScene<dim>::solve(const ExternalField<dim> &sources)
+  ParticleSetup<dim>::solve(const ExternalField<dim> &sources)
   {
-    const SolveReport report  = potential.solve(magnetic_content(), sources);
+    const SolveReport report  = problem.solve(magnetic_content(), sources);
     const NodeField<dim> mass = node_mass();
     node_force.reinit(partition.blocks().size());
-    potential.compute_force(mass, node_force);
+    problem.compute_force(mass, node_force);
     hand_force_to_particles(mass);
     medium.clear();
     return report;
@@ -121,16 +104,16 @@ namespace magmpm::benchmarks
 
   template <int dim>
   const std::vector<MaterialSample<dim>> &
-  MagneticScene<dim>::samples() const
+  ParticleSetup<dim>::samples() const
   {
     if (medium.empty())
-      medium = potential.material_samples();
+      medium = problem.material_samples();
     return medium;
   }
 
   template <int dim>
   NodeField<dim>
-  MagneticScene<dim>::magnetic_content()
+  ParticleSetup<dim>::magnetic_content()
   {
     NodeField<dim> content;
     content.reinit(partition.blocks().size());
@@ -142,7 +125,7 @@ namespace magmpm::benchmarks
 
   template <int dim>
   NodeField<dim>
-  MagneticScene<dim>::node_mass()
+  ParticleSetup<dim>::node_mass()
   {
     NodeField<dim> mass;
     mass.reinit(partition.blocks().size());
@@ -154,15 +137,15 @@ namespace magmpm::benchmarks
 
   template <int dim>
   void
-  MagneticScene<dim>::hand_force_to_particles(const NodeField<dim> &mass)
+  ParticleSetup<dim>::hand_force_to_particles(const NodeField<dim> &mass)
   {
     NodeField<dim> acceleration;
     acceleration.reinit(partition.blocks().size());
-    for (int slot = 0; slot < partition.blocks().n_owned(); ++slot)
-      for (int n = 0; n < nodes_per_block<dim>; ++n)
-        if (mass.node(slot, n)[3] > 0.)
-          for (int d = 0; d < dim; ++d)
-            acceleration.node(slot, n)[d] = node_force.node(slot, n)[d] / mass.node(slot, n)[3];
+    for_nodes(partition.blocks(), [&](const int slot, const int n) {
+      if (mass.node(slot, n)[3] > 0.)
+        for (int d = 0; d < dim; ++d)
+          acceleration.node(slot, n)[d] = node_force.node(slot, n)[d] / mass.node(slot, n)[3];
+    });
     partition.update_ghosts(acceleration);
     interpolate_to_particles(
       acceleration, partition.blocks(), lattice, ParticleProperty::magnetic_acceleration, bodies);
@@ -170,20 +153,20 @@ namespace magmpm::benchmarks
 
   template <int dim>
   Vector<dim>
-  MagneticScene<dim>::force() const
+  ParticleSetup<dim>::force() const
   {
     Vector<dim> sum;
-    for (int slot = 0; slot < partition.blocks().n_owned(); ++slot)
-      for (int n = 0; n < nodes_per_block<dim>; ++n)
-        for (int d = 0; d < dim; ++d)
-          sum[d] += node_force.node(slot, n)[d];
-    return sum_over_ranks(sum);
+    for_nodes(partition.blocks(), [&](const int slot, const int n) {
+      for (int d = 0; d < dim; ++d)
+        sum[d] += node_force.node(slot, n)[d];
+    });
+    return parallel::sum(sum, communicator);
   }
 
   template <int dim>
   template <typename Action>
   void
-  MagneticScene<dim>::for_all_forces_of_particles(const std::size_t body,
+  ParticleSetup<dim>::for_all_forces_of_particles(const std::size_t body,
                                                   const Action &action) const
   {
     const ParticleSet<dim> &particles = bodies[body].particles;
@@ -195,43 +178,40 @@ namespace magmpm::benchmarks
 
   template <int dim>
   Vector<dim>
-  MagneticScene<dim>::force_on_body(const std::size_t body) const
+  ParticleSetup<dim>::force_on_body(const std::size_t body) const
   {
     Vector<dim> sum;
     for_all_forces_of_particles(body, [&](const Vector<dim> &f, const Vector<dim> &) { sum += f; });
-    return sum_over_ranks(sum);
+    return parallel::sum(sum, communicator);
   }
 
   template <int dim>
   Matrix<dim>
-  MagneticScene<dim>::virial(const Vector<dim> &centre) const
+  ParticleSetup<dim>::virial(const Vector<dim> &centre) const
   {
     Matrix<dim> sum;
-    for (int slot = 0; slot < partition.blocks().n_owned(); ++slot)
-      for (int n = 0; n < nodes_per_block<dim>; ++n)
-        {
-          const Index<dim> node = node_of_block<dim>(partition.blocks().block(slot), n);
-          const Vector<dim> r   = lattice.node_position(node) - centre;
-          Vector<dim> f;
-          for (int d = 0; d < dim; ++d)
-            f[d] = node_force.node(slot, n)[d];
-          sum += outer(f, r);
-        }
-    return sum_over_ranks(sum);
+    for_nodes(partition.blocks(), [&](const int slot, const int n) {
+      const Index<dim> node = node_of_block<dim>(partition.blocks().block(slot), n);
+      Vector<dim> f;
+      for (int d = 0; d < dim; ++d)
+        f[d] = node_force.node(slot, n)[d];
+      sum += outer(f, lattice.node_position(node) - centre);
+    });
+    return parallel::sum(sum, communicator);
   }
 
   template <int dim>
   Matrix<dim>
-  MagneticScene<dim>::virial_of_particles(const Vector<dim> &centre) const
+  ParticleSetup<dim>::virial_of_particles(const Vector<dim> &centre) const
   {
     Matrix<dim> sum;
     for (std::size_t body = 0; body < bodies.size(); ++body)
       for_all_forces_of_particles(body, [&](const Vector<dim> &f, const Vector<dim> &x) {
         sum += outer(f, x - centre);
       });
-    return sum_over_ranks(sum);
+    return parallel::sum(sum, communicator);
   }
 
-  template class MagneticScene<2>;
-  template class MagneticScene<3>;
-} // namespace magmpm::benchmarks
+  template class ParticleSetup<2>;
+  template class ParticleSetup<3>;
+} // namespace magmpm::verification

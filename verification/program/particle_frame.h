@@ -1,16 +1,17 @@
 #pragma once
 
+#include <array>
 #include <map>
 #include <string>
 #include <vector>
 
-namespace magmpm::benchmarks
+namespace magmpm::verification
 {
   /** The particles of a frame as a run wrote them for ParaView. */
   struct ParticleFrame
   {
-    double time = 0.;                           ///< [s]
-    std::vector<std::vector<double>> positions; ///< three components each [m]
+    double time = 0.;                             ///< [s]
+    std::vector<std::array<double, 3>> positions; ///< [m]
 
     /** Scalars and vectors by name, "J [-]", of three components the latter. */
     std::map<std::string, std::vector<std::vector<double>>> quantities;
@@ -29,4 +30,8 @@ namespace magmpm::benchmarks
    */
   std::vector<ParticleFrame>
   particle_frames(const std::string &folder);
-} // namespace magmpm::benchmarks
+
+  /** The positions alone. */
+  std::vector<std::vector<std::array<double, 3>>>
+  particle_positions(const std::string &folder);
+} // namespace magmpm::verification

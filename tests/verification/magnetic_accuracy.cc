@@ -1,15 +1,15 @@
 #include "catch.h"
 
-#include <magnetostatics/accuracy_limits.h>
-#include <magnetostatics/ellipsoid_errors.h>
-#include <magnetostatics/pair_errors.h>
-#include <magnetostatics/sphere_errors.h>
+#include <verification/magnetostatics/accuracy_limits.h>
+#include <verification/magnetostatics/ellipsoid_errors.h>
+#include <verification/magnetostatics/pair_errors.h>
+#include <verification/magnetostatics/sphere_errors.h>
 
 #include <cmath>
 #include <functional>
 
 using namespace magmpm;
-using namespace magmpm::benchmarks;
+using namespace magmpm::verification;
 
 namespace
 {
@@ -46,7 +46,7 @@ namespace
 // of a sphere of radius 8 dx, chi_0 = 0.91. Their exact values are known; the limits are those
 // of the benchmark magnetic_accuracy.
 TEMPLATE_TEST_CASE_SIG("A magnetized sphere is as accurate as promised",
-                       "[benchmarks][mpi]",
+                       "[verification][mpi]",
                        ((int dim), dim),
                        2,
                        3)
@@ -57,7 +57,7 @@ TEMPLATE_TEST_CASE_SIG("A magnetized sphere is as accurate as promised",
 // Two spheres a gap of R/2 apart: the sum of their forces is zero, and each is the exact one,
 // known from multipoles of all degrees.
 TEMPLATE_TEST_CASE_SIG("Forces between two bodies are as accurate as promised",
-                       "[benchmarks][mpi]",
+                       "[verification][mpi]",
                        ((int dim), dim),
                        2,
                        3)
@@ -67,7 +67,7 @@ TEMPLATE_TEST_CASE_SIG("Forces between two bodies are as accurate as promised",
 
 // The torque on a spheroid at 45 degrees to the field is mu_0 V M x H_0. A transposed stress would
 // give none of it, or its opposite.
-TEST_CASE("The torque on a spheroid is as accurate as promised", "[benchmarks][mpi]")
+TEST_CASE("The torque on a spheroid is as accurate as promised", "[verification][mpi]")
 {
   CHECK(check_limits(3, "torque", torque_errors<3>) == 1);
 }

@@ -1,10 +1,11 @@
 #pragma once
 
-#include "scene.h"
+#include <verification/magnetostatics/sampled_setup.h>
+#include <verification/magnetostatics/sources.h>
 
 #include <string>
 
-namespace magmpm::test
+namespace magmpm::verification
 {
   inline const char *
   to_string(const Preconditioner preconditioner)
@@ -42,22 +43,22 @@ namespace magmpm::test
     parameters.law              = MagnetizationLaw::linear;
     parameters.preconditioner   = preconditioner;
     parameters.newton_tolerance = 2e-8; // a linear system is solved to half of it
-    Scene<dim> scene(4 * radius_in_cells, spacing, 8., parameters);
+    SampledSetup<dim> setup(4 * radius_in_cells, spacing, 8., parameters);
 
     Vector<dim> centre, field;
     for (int d = 0; d < dim; ++d)
       centre[d] = spacing * (2. * radius_in_cells + 0.13 * (d + 1));
-    scene.set_bodies({sphere<dim>(centre, spacing * radius_in_cells, {1e6, susceptibility})}, 3);
+    setup.set_bodies({sphere<dim>(centre, spacing * radius_in_cells, {1e6, susceptibility})}, 3);
     field[0]       = 1e3;
     field[dim - 1] = 2e3;
     const SolveReport report =
-      scene.problem.solve(scene.content, ExternalField<dim>({uniform_source<dim>(field)}));
+      setup.problem.solve(setup.content, ExternalField<dim>({uniform_source<dim>(field)}));
 
-    auto seconds = scene.timer.seconds();
+    auto seconds = setup.timer.seconds();
     return {report.newton,
             report.n_unknowns,
             seconds["Set up potential"] + seconds["Solve potential: Jacobian"] +
               seconds["Solve potential: preconditioner"],
             seconds["Solve potential: CG"]};
   }
-} // namespace magmpm::test
+} // namespace magmpm::verification

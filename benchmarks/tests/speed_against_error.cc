@@ -1,4 +1,4 @@
-#include "catch.h"
+#include <verification/catch.h>
 
 #include <speed_against_error/measurement.h>
 

@@ -1,4 +1,4 @@
-#include <mechanics/particle_frame.h>
+#include <verification/program/particle_frame.h>
 
 #include <vtkDataArray.h>
 #include <vtkNew.h>
@@ -9,8 +9,9 @@
 #include <cstdlib>
 #include <fstream>
 #include <stdexcept>
+#include <utility>
 
-namespace magmpm::benchmarks
+namespace magmpm::verification
 {
   namespace
   {
@@ -38,7 +39,7 @@ namespace magmpm::benchmarks
       for (vtkIdType p = 0; p < grid->GetNumberOfPoints(); ++p)
         {
           const double *x = grid->GetPoint(p);
-          frame.positions.push_back({x[0], x[1], x[2]});
+          frame.positions.push_back({{x[0], x[1], x[2]}});
         }
       for (int a = 0; a < grid->GetPointData()->GetNumberOfArrays(); ++a)
         {
@@ -68,4 +69,13 @@ namespace magmpm::benchmarks
       }
     return frames;
   }
-} // namespace magmpm::benchmarks
+
+  std::vector<std::vector<std::array<double, 3>>>
+  particle_positions(const std::string &folder)
+  {
+    std::vector<std::vector<std::array<double, 3>>> positions;
+    for (ParticleFrame &frame : particle_frames(folder))
+      positions.push_back(std::move(frame.positions));
+    return positions;
+  }
+} // namespace magmpm::verification

@@ -12,7 +12,7 @@
 #include <vector>
 
 /** Bodies whose particles are in random states: what holds for them holds for all. */
-namespace magmpm::testing
+namespace magmpm::verification
 {
   /** 16 cells along each edge; dx is no binary fraction and the corner is not the origin. */
   template <int dim>
@@ -155,4 +155,4 @@ namespace magmpm::testing
       for (int n = 0; n < nodes_per_block<dim>; ++n)
         f(lattice.node_position(node_of_block<dim>(blocks.block(slot), n)), field.node(slot, n));
   }
-} // namespace magmpm::testing
+} // namespace magmpm::verification

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "program/scene.h"
+#include <verification/program/statistics.h>
+#include <verification/text_file.h>
 
 #include <string>
 #include <utility>
@@ -9,7 +10,7 @@
 namespace magmpm::testing
 {
   /** The text of a small scene, piece by piece; a box of 32 cells of 10 mm along x. */
-  struct SmallScene
+  struct ParameterText
   {
     int dim              = 2;
     std::string end_time = "0.1";
@@ -20,7 +21,7 @@ namespace magmpm::testing
     std::string rest;                                           ///< other sections
 
     /** A box-shaped body of density 1000. */
-    SmallScene &
+    ParameterText &
     add_box(const std::string &name,
             const std::string &material,
             const std::string &lower,
@@ -34,7 +35,7 @@ namespace magmpm::testing
       return *this;
     }
 
-    SmallScene &
+    ParameterText &
     add_solid(const std::string &name, const std::string &modulus, const std::string &lines = "")
     {
       materials.emplace_back(
@@ -42,7 +43,7 @@ namespace magmpm::testing
       return *this;
     }
 
-    SmallScene &
+    ParameterText &
     add_fluid(const std::string &name,
               const std::string &bulk_modulus,
               const std::string &viscosity)
@@ -81,7 +82,7 @@ namespace magmpm::testing
 
   /** Kinetic, elastic and gravitational energy of each row, in 2D. */
   inline std::vector<double>
-  mechanical_energy(const Statistics &statistics)
+  mechanical_energy(const verification::Statistics &statistics)
   {
     std::vector<double> energy;
     for (std::size_t row = 0; row < statistics.n_rows(); ++row)
@@ -95,7 +96,7 @@ namespace magmpm::testing
   inline int
   rows_with(const std::string &folder, const std::string &word)
   {
-    std::istringstream lines(contents(folder + "/statistics.csv"));
+    std::istringstream lines(verification::contents(folder + "/statistics.csv"));
     int n = 0;
     for (std::string line; std::getline(lines, line);)
       n += (line.find("," + word + ",") != std::string::npos);

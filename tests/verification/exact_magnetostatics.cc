@@ -4,15 +4,15 @@
 #include <magmpm/base/exceptions.h>
 #include <magmpm/magnets/external_field.h>
 
-#include <magnetostatics/exact_magnetostatics.h>
-#include <magnetostatics/jittered_points.h>
-#include <magnetostatics/sources.h>
-#include <magnetostatics/two_spheres.h>
+#include <verification/magnetostatics/exact_magnetostatics.h>
+#include <verification/magnetostatics/jittered_points.h>
+#include <verification/magnetostatics/sources.h>
+#include <verification/magnetostatics/two_spheres.h>
 
 #include <cmath>
 
 using namespace magmpm;
-using namespace magmpm::benchmarks;
+using namespace magmpm::verification;
 
 namespace
 {
@@ -126,7 +126,7 @@ namespace
 // Demagnetizing factors sum to 1, are 1/dim of a sphere, follow the axes when these are exchanged,
 // and of a 2:1 prolate spheroid have the closed form (1 - e^2)/e^3 (artanh e - e); long needles
 // have none along, flat discs 1 across.
-TEST_CASE("Demagnetizing factors are those of Osborn", "[benchmarks]")
+TEST_CASE("Demagnetizing factors are those of Osborn", "[verification]")
 {
   for (const Vector<3> &axes : {Vector<3>{{1., 2., 3.}}, Vector<3>{{0.1, 5., 0.7}}})
     {
@@ -150,7 +150,7 @@ TEST_CASE("Demagnetizing factors are those of Osborn", "[benchmarks]")
 // Inside an ellipsoid H + N M(H) = H_0 along every axis, whatever the law; of a linear sphere this
 // is M = chi H_0/(1 + chi/3), and a Langevin sphere in a huge field is saturated.
 TEMPLATE_TEST_CASE_SIG("The field in an ellipsoid fulfils its equation",
-                       "[benchmarks]",
+                       "[verification]",
                        ((int dim), dim),
                        2,
                        3)
@@ -186,7 +186,7 @@ TEMPLATE_TEST_CASE_SIG("The field in an ellipsoid fulfils its equation",
 // The virial of the surface traction mu_0/2 (M.n)^2 n is its integral over the sphere, done here by
 // quadrature.
 TEMPLATE_TEST_CASE_SIG("The virial of a sphere is that of its surface traction",
-                       "[benchmarks]",
+                       "[verification]",
                        ((int dim), dim),
                        2,
                        3)
@@ -213,7 +213,7 @@ TEMPLATE_TEST_CASE_SIG("The virial of a sphere is that of its surface traction",
 // it is the integral of mu_0 chi (H.grad) H of the dipole's field at any distance; and in 2D,
 // where every harmonic is weakened by the same 2/(chi + 2), this holds at any chi too.
 TEMPLATE_TEST_CASE_SIG("The force of a dipole on a sphere has the right limits",
-                       "[benchmarks]",
+                       "[verification]",
                        ((int dim), dim),
                        2,
                        3)
@@ -246,7 +246,7 @@ TEMPLATE_TEST_CASE_SIG("The force of a dipole on a sphere has the right limits",
 // susceptibility beside it does not change one; and each sees the other: with both exchanged the
 // moments are exchanged and the force is the opposite one.
 TEMPLATE_TEST_CASE_SIG("Two spheres in a field have the right limits",
-                       "[benchmarks]",
+                       "[verification]",
                        ((int dim), dim),
                        2,
                        3)
@@ -282,7 +282,11 @@ TEMPLATE_TEST_CASE_SIG("Two spheres in a field have the right limits",
 // A sphere so small and weak that it is a dipole feels, beside a large one, the force (m.grad) H
 // of the field that the large one makes alone: found once from the energy of both, once from the
 // field.
-TEMPLATE_TEST_CASE_SIG("The two ways to a pair force agree", "[benchmarks]", ((int dim), dim), 2, 3)
+TEMPLATE_TEST_CASE_SIG("The two ways to a pair force agree",
+                       "[verification]",
+                       ((int dim), dim),
+                       2,
+                       3)
 {
   const double chi = 2., radius = 0.1, weak = 0.01, small = 0.01;
   const Vector<dim> field = other<dim>(1e5), place = oblique<dim>(0.3);

@@ -1,7 +1,8 @@
 #include <magmpm/base/exceptions.h>
 
 #include <catch.h>
-#include <paper_scheme/ball_experiment.h>
+
+#include <baselines/paper_scheme/ball_experiment.h>
 
 #include <random>
 
@@ -120,7 +121,7 @@ namespace
 // The stencil is compared with its definition, x.J y = dx^dim sum of G x.(I + dM/dH) G y over the
 // nodes, computed node by node from central differences, for random x and y.
 TEMPLATE_TEST_CASE_SIG("The Jacobian of the paper's scheme is that of central differences",
-                       "[benchmarks]",
+                       "[baselines]",
                        ((int dim), dim),
                        2,
                        3)
@@ -156,7 +157,7 @@ TEMPLATE_TEST_CASE_SIG("The Jacobian of the paper's scheme is that of central di
 // Central differences with the paper's Neumann condition have one free constant on each of the
 // 2^dim sublattices of spacing 2 dx, whatever the material; open faces hold all of them.
 TEMPLATE_TEST_CASE_SIG("The null space of the paper's scheme has dimension 4 in 2D and 8 in 3D",
-                       "[benchmarks]",
+                       "[baselines]",
                        ((int dim), dim),
                        2,
                        3)
@@ -190,7 +191,7 @@ TEMPLATE_TEST_CASE_SIG("The null space of the paper's scheme has dimension 4 in 
 // Cholesky factors in less than a sixth of the iterations (a quarter, were they not modified). With
 // shielded faces, where it is unique up to the null space, it has no mean on any sublattice.
 TEMPLATE_TEST_CASE_SIG("The potential of the paper's scheme does not depend on the preconditioner",
-                       "[benchmarks]",
+                       "[baselines]",
                        ((int dim), dim),
                        2,
                        3)
@@ -231,7 +232,7 @@ TEMPLATE_TEST_CASE_SIG("The potential of the paper's scheme does not depend on t
 // Moment, field and force of a sphere against the exact solutions. The error is that of the smeared
 // grain density: 0.27 dx/R in the moment, first order, with figures known from an independent
 // implementation (3.3e-2 and 1.7e-2; H 1.6e-2; force 4.0e-2; deviator of the virial -9.1e-2).
-TEST_CASE("The paper's scheme has its known errors on a sphere", "[benchmarks]")
+TEST_CASE("The paper's scheme has its known errors on a sphere", "[baselines]")
 {
   BallExperiment<3> ball;
   const Parameters parameters    = with_faces(BoxFaces::open);
@@ -265,7 +266,7 @@ TEST_CASE("The paper's scheme has its known errors on a sphere", "[benchmarks]")
 // The same for a cylinder across its axis: first order in the moment; half an order in the deviator
 // of the virial, 7.2e-2 and 3.7e-2 in an independent implementation; 5 to 6e-2 in the force at a
 // dipole.
-TEST_CASE("The paper's scheme has its known errors on a cylinder", "[benchmarks]")
+TEST_CASE("The paper's scheme has its known errors on a cylinder", "[baselines]")
 {
   BallExperiment<2> ball;
   const ExternalField<2> uniform = ball.uniform_field(ball.outer_field(inner_field));
@@ -291,7 +292,7 @@ TEST_CASE("The paper's scheme has its known errors on a cylinder", "[benchmarks]
 // Error of the box alone: the moment at a half width of 3 R against that in an open box of 6 R.
 // The paper's shielding reflects the body's field, 0.27 (R/B)^3 = 1e-2; the open face is that of a
 // dipole, and leaves what higher moments do, 8e-5 in an independent implementation.
-TEST_CASE("Open faces remove the box error of the paper's scheme", "[benchmarks]")
+TEST_CASE("Open faces remove the box error of the paper's scheme", "[baselines]")
 {
   BallExperiment<3> ball;
   ball.cells_per_radius = 6;
@@ -308,7 +309,7 @@ TEST_CASE("Open faces remove the box error of the paper's scheme", "[benchmarks]
 
 // A saturated body has the moment of all its grains, which P2G conserves whatever the smear: at
 // a = 30 the error is 2e-4, a hundredth of that at a = 1.
-TEST_CASE("The paper's scheme is right on a saturated cylinder", "[benchmarks]")
+TEST_CASE("The paper's scheme is right on a saturated cylinder", "[baselines]")
 {
   BallExperiment<2> ball;
   ball.cells_per_radius     = 4;
@@ -325,7 +326,7 @@ TEST_CASE("The paper's scheme is right on a saturated cylinder", "[benchmarks]")
 // Fig. 12 of the paper: at its susceptibility Newton's method needs at most 6 steps at any strength
 // of the field, as the tangent is exact.
 TEMPLATE_TEST_CASE_SIG("Newton's method of the paper's scheme takes at most six steps",
-                       "[benchmarks]",
+                       "[baselines]",
                        ((int dim), dim),
                        2,
                        3)
@@ -351,7 +352,7 @@ TEMPLATE_TEST_CASE_SIG("Newton's method of the paper's scheme takes at most six 
 
 // The torque is the antisymmetric part of the virial, whatever the forces; without field there are
 // none, and nothing to solve.
-TEST_CASE("The paper's scheme sums nodal forces", "[benchmarks]")
+TEST_CASE("The paper's scheme sums nodal forces", "[baselines]")
 {
   BallExperiment<3> ball;
   ball.cells_per_radius    = 4;
@@ -374,7 +375,7 @@ TEST_CASE("The paper's scheme sums nodal forces", "[benchmarks]")
 }
 
 // What the grid cannot hold, and iterations that do not suffice, are errors that say what to do.
-TEST_CASE("The paper's scheme refuses what it cannot solve", "[benchmarks]")
+TEST_CASE("The paper's scheme refuses what it cannot solve", "[baselines]")
 {
   using Catch::Matchers::Contains;
   BallExperiment<2> ball;

@@ -1,6 +1,6 @@
 #include <magmpm/particles/seeding.h>
 
-#include <particle_step/particle_scene.h>
+#include <particle_step/falling_block.h>
 
 #include <cmath>
 
@@ -11,7 +11,7 @@ namespace magmpm::benchmarks
     constexpr int particles_per_edge = 2;
 
     /** A block of n_cells^3 cells in a box with two cells of air on each side. */
-    ParticleScene
+    FallingBlock
     falling_block(const std::string &name,
                   const double n_particles,
                   const MaterialParameters &material,
@@ -19,10 +19,10 @@ namespace magmpm::benchmarks
     {
       const int n_cells =
         std::max(1, static_cast<int>(std::lround(std::cbrt(n_particles) / particles_per_edge)));
-      ParticleScene scene;
-      scene.name            = name;
-      scene.time_step       = 5e-5;
-      scene.lattice.spacing = 1. / 128.;
+      FallingBlock block;
+      block.name            = name;
+      block.time_step       = 5e-5;
+      block.lattice.spacing = 1. / 128.;
       BodyParameters<3> body;
       body.name               = name;
       body.density            = density;
@@ -32,17 +32,17 @@ namespace magmpm::benchmarks
       for (int d = 0; d < 3; ++d)
         {
           const int first            = (d == 2 ? 1 : 2);
-          scene.lattice.n_cells[d]   = block_edge * ((n_cells + 2 * first) / block_edge + 1);
-          body.shape.lower_corner[d] = scene.lattice.spacing * first;
-          body.shape.upper_corner[d] = scene.lattice.spacing * (first + n_cells);
+          block.lattice.n_cells[d]   = block_edge * ((n_cells + 2 * first) / block_edge + 1);
+          body.shape.lower_corner[d] = block.lattice.spacing * first;
+          body.shape.upper_corner[d] = block.lattice.spacing * (first + n_cells);
         }
-      scene.bodies.emplace_back(body, material);
-      seed_particles(body, scene.lattice, 0, 0, 1, scene.bodies.back());
-      return scene;
+      block.bodies.emplace_back(body, material);
+      seed_particles(body, block.lattice, 0, 0, 1, block.bodies.back());
+      return block;
     }
   } // namespace
 
-  ParticleScene
+  FallingBlock
   elastic_cube(const double n_particles)
   {
     // Young's modulus 1e5 Pa, Poisson's ratio 0.3.
@@ -53,7 +53,7 @@ namespace magmpm::benchmarks
     return falling_block("elastic cube", n_particles, material, 2500.);
   }
 
-  ParticleScene
+  FallingBlock
   fluid_block(const double n_particles)
   {
     MaterialParameters material;

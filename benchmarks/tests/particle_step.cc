@@ -1,6 +1,6 @@
 #include <magmpm/base/exceptions.h>
 
-#include "catch.h"
+#include <verification/catch.h>
 
 #include <particle_step/options.h>
 #include <particle_step/timed_step.h>
@@ -40,10 +40,10 @@ TEST_CASE("Timed steps begin with a sort and take all phases", "[benchmarks]")
 // how much is not a matter of a test.
 TEST_CASE("The particle step runs with kernels and plain loops", "[benchmarks]")
 {
-  for (const ParticleScene &scene : {elastic_cube(500.), fluid_block(500.)})
+  for (const FallingBlock &block : {elastic_cube(500.), fluid_block(500.)})
     {
-      CHECK(scene.bodies[0].particles.size() == 512);
-      for (const auto &step : {make_plain_step(scene), make_kernel_step(scene)})
+      CHECK(block.bodies[0].particles.size() == 512);
+      for (const auto &step : {make_plain_step(block), make_kernel_step(block)})
         for (const double seconds : time_of_steps(*step, 3).seconds)
           CHECK(seconds > 0.);
     }

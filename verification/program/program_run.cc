@@ -1,38 +1,18 @@
-#pragma once
+#include <verification/program/program_run.h>
+#include <verification/text_file.h>
 
-#include <program/paths.h>
+#include <verification/program/paths.h>
 
 #include <sys/wait.h>
 
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
-#include <string>
+#include <stdexcept>
 
-/** Starting magmpm and other programs from a test. */
-namespace magmpm::testing
+namespace magmpm::verification
 {
-  struct Outcome
-  {
-    int exit_code;
-    std::string output;
-    std::string errors;
-  };
-
-  inline std::string
-  contents(const std::string &path)
-  {
-    std::ifstream file(path);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-  }
-
-  /**
-   * Runs a shell command. MPI leaves variables in the environment of the test program, which would
-   * make a program started from it believe that it is one of its ranks; so only what is needed stays.
-   */
-  inline Outcome
+  Outcome
   run(const std::string &command)
   {
     std::string environment = "env -i";
@@ -56,12 +36,36 @@ namespace magmpm::testing
     return {WEXITSTATUS(status), contents("output.txt"), contents("errors.txt")};
   }
 
-  /** Runs magmpm on this many ranks. */
-  inline Outcome
-  run_magmpm(const std::string &arguments, const int n_ranks = 1)
+  Outcome
+  run_magmpm(const std::string &arguments, const int n_ranks)
   {
-    const std::string launcher =
-      n_ranks == 1 ? "" : mpiexec() + " -n " + std::to_string(n_ranks) + " ";
+    const std::string launcher = n_ranks == 1 ? ""
+                                              : mpiexec() + " -n " + std::to_string(n_ranks) + " ";
     return run(launcher + magmpm_program() + " " + arguments);
   }
-} // namespace magmpm::testing
+
+  std::string
+  write_scene(const std::string &name, const std::string &text)
+  {
+    std::ofstream(name + ".prm") << text << "set Output directory = output-" << name << '\n';
+    return name + ".prm";
+  }
+
+  std::string
+  run_scene(const std::string &name, const std::string &text)
+  {
+    const Outcome run = run_magmpm(write_scene(name, text));
+    if (run.exit_code != 0)
+      throw std::runtime_error("The scene '" + name + "' failed: " + run.errors);
+    return "output-" + name;
+  }
+
+  std::string
+  as_text(const double number)
+  {
+    std::ostringstream text;
+    text.precision(15);
+    text << number;
+    return text.str();
+  }
+} // namespace magmpm::verification

@@ -1,19 +1,17 @@
 #pragma once
 
-#include <magmpm/magnetics/potential_problem.h>
 #include <magmpm/magnets/external_field.h>
-#include <magmpm/mesh/background_mesh.h>
-#include <magmpm/mesh/block_partition.h>
-#include <magmpm/parallel/phase_timer.h>
+#include <magmpm/parallel/reduce.h>
 #include <magmpm/particles/body.h>
 #include <magmpm/particles/particle_sort.h>
 
 #include <mpi.h>
 
-#include <memory>
+#include <verification/magnetostatics/magnetic_setup.h>
+
 #include <vector>
 
-namespace magmpm::benchmarks
+namespace magmpm::verification
 {
   /** A magnetic body given by its particles. */
   template <int dim>
@@ -26,20 +24,15 @@ namespace magmpm::benchmarks
   };
 
   /**
-   * A scene at one instant: bodies and sources, through mesh, partition, P2G, the potential and the
-   * force, as a step of Simulation takes them, with no motion. All functions but the constructor's
+   * Bodies of particles and sources at one instant, through mesh, partition, P2G, the potential and the
+   * force, as a step of a scene takes them, with no motion. All functions but the constructor's
    * are collective, and their results are those of all ranks.
    */
   template <int dim>
-  class MagneticScene
+  class ParticleSetup : private MagneticSetup<dim>
   {
   public:
-    /** @param lattice  spacing and mechanical box. */
-    MagneticScene(const MPI_Comm communicator,
-                  const Lattice<dim> &lattice,
-                  const MeshParameters<dim> &mesh,
-                  const MagneticsParameters<dim> &magnetics);
-    ~MagneticScene();
+    using MagneticSetup<dim>::MagneticSetup;
 
     /** Puts bodies in place of those before; mesh and partition follow. */
     void
@@ -81,7 +74,7 @@ namespace magmpm::benchmarks
       Value sum = {};
       for (const MaterialSample<dim> &sample : samples())
         sum += sample.weight * f(sample);
-      return sum_over_ranks(sum);
+      return parallel::sum(sum, communicator);
     }
 
     /** Dipole moment, int M [A m^2]. */
@@ -92,12 +85,11 @@ namespace magmpm::benchmarks
     }
 
   private:
-    const MPI_Comm communicator;
-    const Lattice<dim> lattice;
-    BackgroundMesh<dim> mesh;
-    BlockPartition<dim> partition;
-    parallel::PhaseTimer timer;
-    PotentialProblem<dim> potential;
+    using MagneticSetup<dim>::communicator;
+    using MagneticSetup<dim>::lattice;
+    using MagneticSetup<dim>::mesh;
+    using MagneticSetup<dim>::partition;
+    using MagneticSetup<dim>::problem;
 
     std::vector<Body<dim>> bodies;
     NodeField<dim> node_force;
@@ -124,15 +116,5 @@ namespace magmpm::benchmarks
     template <typename Action>
     void
     for_all_forces_of_particles(const std::size_t body, const Action &action) const;
-
-    /** Values is made of doubles alone. */
-    template <typename Values>
-    Values
-    sum_over_ranks(Values values) const
-    {
-      MPI_Allreduce(
-        MPI_IN_PLACE, &values, sizeof(Values) / sizeof(double), MPI_DOUBLE, MPI_SUM, communicator);
-      return values;
-    }
   };
-} // namespace magmpm::benchmarks
+} // namespace magmpm::verification
