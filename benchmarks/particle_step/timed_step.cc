@@ -6,7 +6,7 @@
 
 #include <baselines/plain_particles/plain_particles.h>
 #include <particle_step/timed_step.h>
-#include <speed_against_error/stopwatch.h>
+#include <shared/stopwatch.h>
 
 #include <algorithm>
 #include <numeric>

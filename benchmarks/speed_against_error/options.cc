@@ -1,9 +1,6 @@
-#include <magmpm/base/exceptions.h>
-#include <magmpm/parameters/parameter_names.h>
-
+#include <shared/command_line.h>
 #include <speed_against_error/options.h>
 
-#include <algorithm>
 #include <map>
 
 namespace magmpm::benchmarks
@@ -14,72 +11,29 @@ namespace magmpm::benchmarks
       {"sphere", {ExperimentKind::sphere_in_uniform_field}},
       {"dipole", {ExperimentKind::sphere_near_dipole}},
       {"cube", {ExperimentKind::cube_near_magnet}}};
-
-    double
-    positive(const std::string &option, const std::string &value)
-    {
-      std::size_t end = 0;
-      double number   = 0.;
-      try
-        {
-          number = std::stod(value, &end);
-        }
-      catch (const std::exception &)
-        {
-        }
-      if (end != value.size() || !(number > 0.))
-        throw InputError("'" + value + "' cannot follow " + option +
-                         ". Write a number greater than zero.");
-      return number;
-    }
-
-    /** The options that take a number, and where it goes. */
-    std::map<std::string, double *>
-    numbers(SpeedOptions &options)
-    {
-      return {{"--argument", &options.medium.argument},
-              {"--max-resolution", &options.max_resolution},
-              {"--max-seconds", &options.max_seconds},
-              {"--reference", &options.reference},
-              {"--repetitions", &options.repetitions},
-              {"--susceptibility", &options.medium.susceptibility},
-              {"--tolerance", &options.tolerance}};
-    }
   } // namespace
 
   SpeedOptions
   parse_speed_options(const std::vector<std::string> &arguments)
   {
     SpeedOptions options;
-    const auto by_name             = numbers(options);
-    std::vector<std::string> known = {"--csv", "--help", "--only"};
-    for (const auto &entry : by_name)
-      known.push_back(entry.first);
-
-    for (std::size_t i = 0; i < arguments.size(); ++i)
-      {
-        const std::string &option = arguments[i];
-        const auto number         = by_name.find(option);
-        if (option == "--help")
-          {
-            options.help = true;
-            continue;
-          }
-        if (std::find(known.begin(), known.end(), option) == known.end())
-          throw InputError("unknown option '" + option + "'" + did_you_mean(option, known) +
-                           " 'speed_against_error --help' lists all options.");
-        if (++i == arguments.size())
-          throw InputError("nothing follows " + option + ", but it takes a value.");
-        const std::string &value = arguments[i];
-        if (number != by_name.end())
-          *number->second = positive(option, value);
-        else if (option == "--csv")
-          options.csv_file = value;
-        else if (experiments_by_name.count(value) == 1)
-          options.experiments = experiments_by_name.at(value);
-        else
-          throw InputError("'" + value + "' cannot follow --only. Write sphere, dipole or cube.");
-      }
+    CommandLine line("speed_against_error");
+    line.add_switch("--help", options.help);
+    line.add_number("--argument", options.medium.argument);
+    line.add_number("--max-resolution", options.max_resolution);
+    line.add_number("--max-seconds", options.max_seconds);
+    line.add_number("--reference", options.reference);
+    line.add_number("--repetitions", options.repetitions);
+    line.add_number("--susceptibility", options.medium.susceptibility);
+    line.add_number("--tolerance", options.tolerance);
+    line.add("--csv", [&](const std::string &value) { options.csv_file = value; });
+    line.add("--only", [&](const std::string &value) {
+      std::vector<std::string> names;
+      for (const auto &entry : experiments_by_name)
+        names.push_back(entry.first);
+      options.experiments = experiments_by_name.at(one_of("--only", value, names));
+    });
+    line.read(arguments);
     return options;
   }
 

@@ -1,5 +1,5 @@
 #include <speed_against_error/contender.h>
-#include <speed_against_error/stopwatch.h>
+#include <shared/stopwatch.h>
 
 #include <cmath>
 #include <sstream>

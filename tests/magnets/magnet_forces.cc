@@ -6,7 +6,7 @@
 #include <magmpm/magnets/magnetized_mesh.h>
 
 #include "field_checks.h"
-#include "test_meshes.h"
+#include "geometry/test_meshes.h"
 
 using namespace magmpm;
 using namespace magmpm::testing;

@@ -10,7 +10,7 @@
 #include <magmpm/magnets/straight_wire.h>
 
 #include "field_checks.h"
-#include "test_meshes.h"
+#include "geometry/test_meshes.h"
 
 #include <functional>
 #include <limits>
