@@ -49,6 +49,8 @@ TEST_CASE("The particle step runs with kernels and plain loops", "[benchmarks]")
     }
 }
 
+// Three and four numbers in no order: their least one, and the middle one or the mean of the two,
+// read off.
 TEST_CASE("A spread is the least value and the one in the middle", "[benchmarks]")
 {
   CHECK(spread({3., 1., 2.}).least == 1.);
@@ -56,6 +58,8 @@ TEST_CASE("A spread is the least value and the one in the middle", "[benchmarks]
   CHECK(spread({4., 1., 3., 2.}).median == 2.5);
 }
 
+// Values come to where they belong, lists at their commas; messages name the option, the value and
+// what was meant, in the words that a user meets.
 TEST_CASE("Options of particle_step", "[benchmarks]")
 {
   const StepOptions options = parse_step_options({"--particles", "1e5,4e6", "--steps", "7"});

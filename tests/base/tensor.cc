@@ -47,6 +47,8 @@ TEST_CASE("determinants are those worked out by hand and multiply", "[base]")
   CHECK(determinant(identity<3>()) == 1.);
 }
 
+// Small integers, whose products are exact, against the rows times columns of paper; then
+// identities that hold for all matrices and would catch a transposition.
 TEST_CASE("products of matrices and vectors are those worked out by hand", "[base]")
 {
   check_equal(a2 * b2, {{{5., -1.}, {-9., 26.}}});
@@ -65,6 +67,8 @@ TEST_CASE("products of matrices and vectors are those worked out by hand", "[bas
   check_equal(outer(x, y) * z, dot(y, z) * x);
 }
 
+// Exact sums of small integers, each component with another value, so that no two can be
+// exchanged.
 TEST_CASE("sums, differences and multiples go by component", "[base]")
 {
   const Vector<3> x = {{1., 2., 3.}};
@@ -77,6 +81,7 @@ TEST_CASE("sums, differences and multiples go by component", "[base]")
   check_equal(3. * a2, {{{6., -3.}, {9., 12.}}});
 }
 
+// Pythagorean numbers, whose roots are exact.
 TEST_CASE("norms and traces are those worked out by hand", "[base]")
 {
   CHECK(dot(Vector<3>{{1., 2., 3.}}, Vector<3>{{4., -5., 6.}}) == 12.);
@@ -88,6 +93,8 @@ TEST_CASE("norms and traces are those worked out by hand", "[base]")
   CHECK(frobenius_norm(Matrix<2>{{{1., 2.}, {-2., 4.}}}) == 5.);
 }
 
+// e_x x e_y = e_z fixes the sign, a product worked out by hand the components, and that it is
+// perpendicular to both factors and antisymmetric the rest.
 TEST_CASE("the cross product follows the right hand, in 2D its component across the plane",
           "[base]")
 {

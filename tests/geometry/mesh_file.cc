@@ -138,6 +138,8 @@ TEST_CASE("Messages on meshes that are not closed", "[geometry]")
   CHECK(message_on(unit_cube()).empty());
 }
 
+// A file that is missing, one of no known kind, and ones of words: what a user reads names the
+// file and what is allowed.
 TEST_CASE("Messages on files that hold no mesh", "[geometry]")
 {
   const std::string folder = fresh_folder("mesh_file-files");

@@ -71,6 +71,7 @@ TEST_CASE("Points with and without heading, comments and volumes", "[geometry]")
   CHECK(plane.points[1][1] == 4.);
 }
 
+// Files with one fault each; a message has the line and the value, and says what a point is.
 TEST_CASE("Messages on points that cannot be read", "[geometry]")
 {
   CHECK(message_on<3>("") == ": there is no point in this file.");

@@ -90,6 +90,8 @@ TEST_CASE("B goes through the surface of a magnet", "[magnets]")
     }
 }
 
+// A remanence of mu_0 1e6 A/m in tesla is the magnetization that the bar has by its other
+// parameter.
 TEST_CASE("remanence is mu_0 times the magnetization", "[magnets]")
 {
   SourceParameters<3> parameters = cuboid_parameters();
@@ -185,6 +187,8 @@ TEST_CASE("a source put somewhere from outside stays there", "[magnets]")
   CHECK(!steady->is_constant());
 }
 
+// Two equal poses are no motion, two that differ by 0.1 m are: what is constant is not evaluated
+// in each step.
 TEST_CASE("key frames that do nothing leave the field constant", "[magnets]")
 {
   SourceParameters<3> parameters = cuboid_parameters();

@@ -92,6 +92,8 @@ TEST_CASE("key frames that do not move are constant", "[motion]")
   CHECK(!frames<2>("0, 0, 0, 0; 1, 0, 0, 0.1").pose.is_constant());
 }
 
+// Half way between (0, 0) and (1, 3) y is 1.5; all that may stand in such a file beside numbers
+// does.
 TEST_CASE("key frames come from a file, with headings and comments", "[motion]")
 {
   const std::string name = "key_frames_test.csv";

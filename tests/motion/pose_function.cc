@@ -55,6 +55,7 @@ TEST_CASE("the spin of a source is the derivative of its rotation", "[motion]")
   CHECK(norm(omega) > 1.);
 }
 
+// From (0, 0) to (2, 4) in one second, linearly: 4 m/s along y; after the last frame it rests.
 TEST_CASE("the velocity between key frames is that of their way", "[motion]")
 {
   const TimeFunction<Pose<2>> pose =

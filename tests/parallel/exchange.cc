@@ -46,6 +46,8 @@ TEST_CASE("Values of all ranks come to all, or to one", "[parallel][mpi]")
         (rank == 0 ? std::vector<double>(n_ranks, 1.5) : std::vector<double>()));
 }
 
+// Numbers, lists and words of other lengths on every rank, so that what arrives can only be the
+// sender's.
 TEST_CASE("The value of one rank comes to all", "[parallel][mpi]")
 {
   const unsigned int rank    = parallel::rank(MPI_COMM_WORLD);
@@ -84,6 +86,8 @@ TEST_CASE("Some ranks send to some, in pieces", "[parallel][mpi]")
     }
 }
 
+// Nothing to anybody, then an empty list to the first rank: who takes part in a collective does so
+// with empty hands, too.
 TEST_CASE("An exchange without entries is one, too", "[parallel][mpi]")
 {
   const unsigned int rank    = parallel::rank(MPI_COMM_WORLD);

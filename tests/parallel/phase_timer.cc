@@ -40,6 +40,7 @@ TEST_CASE("Phases are timed, also inside of one another", "[parallel]")
   CHECK(seconds.at("solve") >= seconds.at("solve: CG"));
 }
 
+// The time of a phase ends with its scope, however that is left: then the phase is listed.
 TEST_CASE("A phase that an exception leaves is over", "[parallel]")
 {
   PhaseTimer timer;

@@ -39,6 +39,8 @@ TEST_CASE("What fails on one rank fails on all", "[parallel][mpi]")
   CHECK_NOTHROW(parallel::together(MPI_COMM_WORLD, "nothing was written", []() {}));
 }
 
+// Several ranks fail at once with different words; all must throw the same, so one is chosen, the
+// lowest.
 TEST_CASE("The lowest rank that fails is heard", "[parallel][mpi]")
 {
   const unsigned int rank    = parallel::rank(MPI_COMM_WORLD);
@@ -52,6 +54,7 @@ TEST_CASE("The lowest rank that fails is heard", "[parallel][mpi]")
                     "rank " + std::to_string(n_ranks == 1 ? 0 : 1));
 }
 
+// Only rank 0 acts, and its failure is thrown on all: else the others would wait for it forever.
 TEST_CASE("The first rank acts alone, and all know", "[parallel][mpi]")
 {
   const unsigned int rank = parallel::rank(MPI_COMM_WORLD);
@@ -62,6 +65,7 @@ TEST_CASE("The first rank acts alone, and all know", "[parallel][mpi]")
                     "full");
 }
 
+// One rank makes folders for all; what prevents it is the same error on all.
 TEST_CASE("A folder is made, or all say why not", "[parallel][mpi]")
 {
   const unsigned int rank = parallel::rank(MPI_COMM_WORLD);

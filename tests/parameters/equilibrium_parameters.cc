@@ -77,6 +77,8 @@ end
   }
 } // namespace
 
+// Given, left away, and to match magnets: the values read are those written, and a missing one has
+// the default that the manual names.
 TEST_CASE("an attraction is there if its strength is", "[parameters]")
 {
   CHECK_FALSE(read("").attraction.is_wanted());
@@ -103,6 +105,8 @@ TEST_CASE("an attraction is there if its strength is", "[parameters]")
   CHECK(message_on(matched + magnet).find("no body is magnetic") != std::string::npos);
 }
 
+// Strengths that are none, and parameters that are missing or useless: messages in the words that
+// a user meets.
 TEST_CASE("a wrong attraction is refused", "[parameters]")
 {
   const auto attraction = [](const std::string &lines) {
@@ -120,6 +124,8 @@ TEST_CASE("a wrong attraction is refused", "[parameters]")
         std::string::npos);
 }
 
+// The values read are those written; a speed without the stop, or the stop without its time, is a
+// mistake.
 TEST_CASE("rest ends a run only with a speed and a time", "[parameters]")
 {
   const auto rest = read("subsection Rest\nset Damping rate = 3\nset Stop when at rest = true\n"
@@ -136,6 +142,8 @@ TEST_CASE("rest ends a run only with a speed and a time", "[parameters]")
           .find("Stop when at rest = false does not use it") != std::string::npos);
 }
 
+// The curve of the file rises as 2 H and saturates at 2e4 A/m, so a factor of 0.5 gives chi_0 = 1
+// and 1e4 A/m; without a factor a material is not magnetic.
 TEST_CASE("a table needs a file, a material a factor", "[parameters]")
 {
   const std::string folder = testing::fresh_folder("magnetization-curve");

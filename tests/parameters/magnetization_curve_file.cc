@@ -46,6 +46,7 @@ TEST_CASE("a magnetization curve is read as people write it", "[parameters]")
     }
 }
 
+// Tables with one fault each; a message has the line, the value and what is allowed.
 TEST_CASE("a wrong magnetization curve is refused, by line", "[parameters]")
 {
   CHECK(message_on("H, M\n1e3, 900\n2e3\n4e3, 2000\n") ==

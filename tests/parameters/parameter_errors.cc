@@ -91,11 +91,14 @@ end
   }
 } // namespace
 
+// Else the messages below could be on another fault than the one that was made.
 TEST_CASE("The text that the messages are tested with is valid", "[parameters]")
 {
   CHECK(message_on(valid_text) == "");
 }
 
+// One line of the valid text spoilt at a time, so the message can have only one right place and
+// wording.
 TEST_CASE("Messages on lines that cannot be read", "[parameters]")
 {
   CHECK(message_on(with_line("  set Cell size = 0.0625", "  sett Cell size = 0.0625")) ==
@@ -113,6 +116,8 @@ TEST_CASE("Messages on lines that cannot be read", "[parameters]")
     "cannot read the parameter file 'no such file.prm': No such file or directory.");
 }
 
+// Letters left out and names of other sections: the right name is known, so the message has to
+// offer it.
 TEST_CASE("Messages on unknown names", "[parameters]")
 {
   CHECK(message_on(with_line("set Density", "set Densty")) ==
@@ -139,6 +144,8 @@ TEST_CASE("Messages on unknown names", "[parameters]")
         "lists all.");
 }
 
+// Values that are no number, none, or beyond the range that the manual gives, which the message
+// repeats.
 TEST_CASE("Messages on values out of range", "[parameters]")
 {
   CHECK(message_on(with_line("set Density = 1000", "set Density = heavy")) ==
@@ -178,6 +185,7 @@ TEST_CASE("Messages on values out of range", "[parameters]")
     "-, since it becomes part of headings. Names are separated by commas.");
 }
 
+// Edges and spacings that do not fit: the nearest good values were worked out by hand.
 TEST_CASE("Messages on the box", "[parameters]")
 {
   CHECK(message_with("Box/Upper corner=1, 1, 1.1") ==
@@ -191,6 +199,8 @@ TEST_CASE("Messages on the box", "[parameters]")
         "larger cells.");
 }
 
+// Bodies outside of the box, without extent or into one another, by lengths known from their
+// corners.
 TEST_CASE("Messages on bodies", "[parameters]")
 {
   CHECK(message_with("Bodies/cube/Upper corner=0.75, 0.75, 1.2") ==
@@ -227,6 +237,7 @@ TEST_CASE("Messages on bodies", "[parameters]")
     "apart.");
 }
 
+// Moduli given twice or not at all, and values without meaning for a law.
 TEST_CASE("Messages on materials", "[parameters]")
 {
   CHECK(message_with("Materials/clay/Shear modulus=1") ==
@@ -317,6 +328,8 @@ TEST_CASE("Messages on the box of the potential", "[parameters]")
   CHECK(message_with("Magnetics/Potential box factor=1") == "");
 }
 
+// A magnet in a body by a depth known from radius and corner, and what a kind of magnet does not
+// have.
 TEST_CASE("Messages on magnets", "[parameters]")
 {
   CHECK(message_with("Magnets/magnet/Position=0.5; 0.5; 0.4") ==
@@ -390,6 +403,7 @@ TEST_CASE("Messages on the kinds of magnets", "[parameters]")
           .find("Magnets/magnet/File = nowhere.stl: there is no such file") != std::string::npos);
 }
 
+// Ways to move that exclude each other, and those that may be given together.
 TEST_CASE("Messages on the motion of magnets", "[parameters]")
 {
   const std::string magnet = "Magnets/magnet/";
@@ -448,6 +462,7 @@ TEST_CASE("Messages on magnets inside of bodies", "[parameters]")
     "Radius smaller.");
 }
 
+// A fixed step beside the limits of a variable one, and steps that fit into no frame.
 TEST_CASE("Messages on the time step", "[parameters]")
 {
   CHECK(message_with("Time step/Time step=1") ==
@@ -460,6 +475,7 @@ TEST_CASE("Messages on the time step", "[parameters]")
         "or change that.");
 }
 
+// A valid scene in the plane, changed into what has a meaning in space only.
 TEST_CASE("Messages on what two dimensions do not have", "[parameters]")
 {
   const std::string text = R"(set Dimension = 2

@@ -247,6 +247,8 @@ TEST_CASE("A run that is asked to stop writes a checkpoint", "[program]")
   CHECK(n_frames(folder + "/particles.pvd") == 9);
 }
 
+// No checkpoint, other parameters, and one that was cut, changed or lost: each is refused in its
+// own words, and when the bytes are those written again, the run goes on.
 TEST_CASE("A run cannot be resumed from what does not fit", "[program]")
 {
   const std::string scene = disc_and_drop("unfit") + in_folder("unfit");

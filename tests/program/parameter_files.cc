@@ -29,6 +29,7 @@ namespace
   }
 } // namespace
 
+// Two steps of 1e-6 s end at 2e-6 s, and statistics have three rows: the start and both steps.
 TEST_CASE("Every parameter file runs for two steps", "[parameter_files]")
 {
   for (const std::filesystem::path &file : parameter_files())

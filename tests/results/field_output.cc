@@ -216,6 +216,7 @@ TEST_CASE("the written B counts the magnetization of magnets", "[results]")
   CHECK(n_inside > 4);
 }
 
+// The message lists all that there are, in their order.
 TEST_CASE("an unknown field quantity is an input error", "[results]")
 {
   CHECK_THROWS_WITH(FieldOutput<2>(MPI_COMM_WORLD, ".", {"H", "flux"}),

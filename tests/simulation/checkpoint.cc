@@ -194,6 +194,8 @@ TEST_CASE("A damaged checkpoint is noticed", "[simulation]")
   CHECK(read_particles(checkpoints) == particles_of_this_rank());
 }
 
+// A density is in the masses of particles and a material in their law; when a run ends is in
+// neither.
 TEST_CASE("Parameters that particles depend on are told from others", "[simulation]")
 {
   const std::string then = R"(set Dimension = 2
