@@ -33,7 +33,7 @@ namespace magmpm
         const Vector<dim> now    = particles.vector(ParticleProperty::magnetic_acceleration, p);
         const Vector<dim> before = particles.vector(ParticleProperty::magnetic_acceleration_rate,
                                                     p);
-        const Vector<dim> rate = extrapolation_rate(before, now, way);
+        const Vector<dim> rate   = extrapolation_rate(before, now, way);
         for (int d = 0; d < dim; ++d)
           particles.component(ParticleProperty::magnetic_acceleration_rate, d)[p] = rate[d];
       }
@@ -81,7 +81,7 @@ namespace magmpm
   template void recall_carried_force<dim>(const double, Body<dim> &);      \
   template void set_rate_of_carried_force<dim>(const double, Body<dim> &); \
   template void advance_carried_force<dim>(const double, Body<dim> &);     \
-  template void freeze_carried_force<dim>(const double, Body<dim> &);        \
+  template void freeze_carried_force<dim>(const double, Body<dim> &);      \
   template void drop_carried_force<dim>(Body<dim> &);
 
   INSTANTIATE(2)

@@ -1,6 +1,6 @@
+#include <magmpm/coupling/density_relaxation.h>
 #include <magmpm/lattice/arena.h>
 #include <magmpm/lattice/bspline.h>
-#include <magmpm/coupling/density_relaxation.h>
 
 #include <algorithm>
 #include <cmath>

@@ -36,8 +36,8 @@ namespace magmpm
       return;
     mesh      = &new_mesh;
     partition = &new_partition;
-    problem   = std::make_unique<PotentialProblem<dim>>(
-      new_mesh, new_partition, parameters.magnetics, timer);
+    problem =
+      std::make_unique<PotentialProblem<dim>>(new_mesh, new_partition, parameters.magnetics, timer);
   }
 
   template <int dim>
@@ -253,9 +253,8 @@ namespace magmpm
   void
   MagneticCoupling<dim>::find_reactions(const double way)
   {
-    memory.reactions.set(reactions_on_sources(
-                           problem->material_samples(), external_field, communicator),
-                         way);
+    memory.reactions.set(
+      reactions_on_sources(problem->material_samples(), external_field, communicator), way);
     memory.solve_of_reactions = memory.n_solves;
   }
 

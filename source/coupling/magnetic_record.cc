@@ -49,7 +49,8 @@ namespace magmpm
   MagneticCoupling<dim>::add_columns(ColumnTable &table) const
   {
     const auto solved = [this](const auto value) {
-      return [this, value]() -> double { return memory.solved_this_step ? value(memory.report) : 0; };
+      return
+        [this, value]() -> double { return memory.solved_this_step ? value(memory.report) : 0; };
     };
     table.add("magnetic energy", ColumnUnits<dim>::energy, [this] { return memory.report.energy; });
     table.add("magnetic solves", "", [this] { return memory.n_solves; });
@@ -95,12 +96,12 @@ namespace magmpm
     external_field.remember(record.second);
   }
 
-#define INSTANTIATE(dim)                                                                      \
-  template void MagneticCoupling<dim>::find_limits(const std::vector<Body<dim>> &);           \
-  template void MagneticCoupling<dim>::limit_step(StepConditions &) const;                    \
-  template void MagneticCoupling<dim>::add_columns(ColumnTable &) const;                      \
-  template SectionTitle MagneticCoupling<dim>::title() const;                                 \
-  template std::string MagneticCoupling<dim>::save() const;                                   \
+#define INSTANTIATE(dim)                                                            \
+  template void MagneticCoupling<dim>::find_limits(const std::vector<Body<dim>> &); \
+  template void MagneticCoupling<dim>::limit_step(StepConditions &) const;          \
+  template void MagneticCoupling<dim>::add_columns(ColumnTable &) const;            \
+  template SectionTitle MagneticCoupling<dim>::title() const;                       \
+  template std::string MagneticCoupling<dim>::save() const;                         \
   template void MagneticCoupling<dim>::load(const std::string &);
 
   INSTANTIATE(2)

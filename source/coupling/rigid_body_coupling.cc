@@ -11,7 +11,7 @@ namespace magmpm
 
     /** Points of the bodies' surfaces where they touch each other. */
     constexpr double spacing_of_points = 1.; // dx
-  } // namespace
+  }                                          // namespace
 
   template <int dim>
   RigidBodyCoupling<dim>::RigidBodyCoupling(const RigidBodyCouplingParameters<dim> &parameters,
@@ -177,9 +177,9 @@ namespace magmpm
   double
   RigidBodyCoupling<dim>::longest_push() const
   {
-    const bool any_pushed = std::any_of(holds_now.begin(),
-                                        holds_now.end(),
-                                        [](const auto &hold) { return hold.n_held > 0; });
+    const bool any_pushed = std::any_of(holds_now.begin(), holds_now.end(), [](const auto &hold) {
+      return hold.n_held > 0;
+    });
     return any_pushed ? largest_push * parameters.lattice.spacing : 0.;
   }
 

@@ -141,13 +141,13 @@ namespace magmpm
     rigid_bodies.restore(record.second);
   }
 
-#define INSTANTIATE(dim)                                                                  \
-  template void RigidBodyCoupling<dim>::limit_step(StepConditions &) const;               \
-  template void RigidBodyCoupling<dim>::prepare_row();                                    \
-  template void RigidBodyCoupling<dim>::end_row();                                        \
-  template void RigidBodyCoupling<dim>::add_columns(ColumnTable &) const;                 \
-  template SectionTitle RigidBodyCoupling<dim>::title() const;                            \
-  template std::string RigidBodyCoupling<dim>::save() const;                              \
+#define INSTANTIATE(dim)                                                    \
+  template void RigidBodyCoupling<dim>::limit_step(StepConditions &) const; \
+  template void RigidBodyCoupling<dim>::prepare_row();                      \
+  template void RigidBodyCoupling<dim>::end_row();                          \
+  template void RigidBodyCoupling<dim>::add_columns(ColumnTable &) const;   \
+  template SectionTitle RigidBodyCoupling<dim>::title() const;              \
+  template std::string RigidBodyCoupling<dim>::save() const;                \
   template void RigidBodyCoupling<dim>::load(const std::string &);
 
   INSTANTIATE(2)

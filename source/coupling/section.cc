@@ -9,10 +9,12 @@ namespace magmpm
   check_titles(const std::vector<SectionTitle> &found, const std::vector<SectionTitle> &expected)
   {
     const auto find = [](const std::vector<SectionTitle> &titles, const std::string &name) {
-      return std::find_if(
-        titles.begin(), titles.end(), [&](const SectionTitle &title) { return title.name == name; });
+      return std::find_if(titles.begin(), titles.end(), [&](const SectionTitle &title) {
+        return title.name == name;
+      });
     };
-    const std::string remedy = " Resume it with the version of magmpm that wrote it, or start anew.";
+    const std::string remedy =
+      " Resume it with the version of magmpm that wrote it, or start anew.";
     for (const SectionTitle &title : expected)
       {
         const auto other = find(found, title.name);

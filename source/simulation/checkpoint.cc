@@ -162,7 +162,8 @@ namespace magmpm
     std::string
     cannot_be_read(const std::string &path, const std::string &folder)
     {
-      return "the checkpoint '" + path + "' cannot be read (the ones beside it may be good: write " +
+      return "the checkpoint '" + path +
+             "' cannot be read (the ones beside it may be good: write " +
              "the name of another one into '" + folder + "/latest')";
     }
   } // namespace

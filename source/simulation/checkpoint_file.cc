@@ -76,7 +76,7 @@ namespace magmpm
   {
     std::string path;
     std::ifstream file;
-    FileHead head = {};
+    FileHead head      = {};
     std::size_t n_left = 0; ///< bytes
     boost::crc_32_type crc;
   };

@@ -30,8 +30,9 @@ namespace magmpm
     set_start(const Start start, CommandLine &command_line)
     {
       if (command_line.start != Start::afresh && command_line.start != start)
-        throw InputError("--resume goes on with the earlier results, --overwrite replaces them: give "
-                         "one of the two.");
+        throw InputError(
+          "--resume goes on with the earlier results, --overwrite replaces them: give "
+          "one of the two.");
       command_line.start = start;
     }
   } // namespace

@@ -15,8 +15,7 @@ namespace magmpm
   bool
   RestCheck::is_over(const double time) const
   {
-    return parameters.stops && since >= 0. &&
-           time - since >= parameters.duration;
+    return parameters.stops && since >= 0. && time - since >= parameters.duration;
   }
 
   std::string

@@ -146,9 +146,8 @@ namespace magmpm
         write_frame();
         return;
       }
-    results.log().message("resumed at frame " + std::to_string(progress.frame) +
-                          ", t = " + three_digits(scene.time()) + " s, from " +
-                          checkpoints.latest());
+    results.log().message("resumed at frame " + std::to_string(progress.frame) + ", t = " +
+                          three_digits(scene.time()) + " s, from " + checkpoints.latest());
     const std::string changes = check_resumable(parameters.complete_text, resumed->parameters);
     if (!changes.empty())
       results.log().message("parameters changed since the checkpoint:" + changes);
@@ -160,9 +159,9 @@ namespace magmpm
   void
   Run<dim>::advance_one_step()
   {
-    const unsigned int next  = scene.progress().clock.step + 1;
-    const bool rest_is_due   = rest.is_due(next);
-    const bool row_is_due    = next % parameters.output.statistics_every == 0;
+    const unsigned int next   = scene.progress().clock.step + 1;
+    const bool rest_is_due    = rest.is_due(next);
+    const bool row_is_due     = next % parameters.output.statistics_every == 0;
     RunControl::Request asked = control.request();
     scene.step({time_of_next_frame(), row_is_due || rest_is_due, [&](auto &reduction) {
                   reduction.max(asked);
@@ -177,8 +176,8 @@ namespace magmpm
       }
     if (row_is_due || rest.is_over(scene.time()))
       write_row();
-    const bool frame_is_complete =
-      rest.is_over(scene.time()) || scene.time() >= (1. - 1e-9) * time_of_next_frame();
+    const bool frame_is_complete = rest.is_over(scene.time()) ||
+                                   scene.time() >= (1. - 1e-9) * time_of_next_frame();
     if (frame_is_complete)
       {
         ++progress.frame;
@@ -249,8 +248,8 @@ namespace magmpm
     RunLog::Frame frame;
     frame.number    = progress.frame;
     frame.time      = state.clock.time;
-    frame.dt        = state.full_time_step;
-    frame.limit     = state.full_limit;
+    frame.dt        = state.last_full_step.length;
+    frame.limit     = state.last_full_step.limit;
     frame.newton    = newton.steps;
     frame.cg        = newton.linear_iterations;
     frame.max_speed = state.max_speed;

@@ -1,5 +1,5 @@
-#include <magmpm/base/number_text.h>
 #include <magmpm/base/exceptions.h>
+#include <magmpm/base/number_text.h>
 #include <magmpm/parallel/gather.h>
 #include <magmpm/particles/particle_quantities.h>
 #include <magmpm/simulation/runaway_check.h>
@@ -92,7 +92,9 @@ namespace magmpm
 
         const Runaway worst = worst_particle(bodies[b], limits, max_speed);
         const std::string description =
-          (worst.excess < 0. ? "" : describe(bodies[b], worst.particle, limits, max_speed, clock, limit));
+          (worst.excess < 0.
+             ? ""
+             : describe(bodies[b], worst.particle, limits, max_speed, clock, limit));
         const auto excesses     = parallel::all_gather(worst.excess, communicator);
         const auto descriptions = parallel::all_gather(description, communicator);
         const auto rank = std::max_element(excesses.begin(), excesses.end()) - excesses.begin();

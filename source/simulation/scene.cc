@@ -1,6 +1,5 @@
 #include <magmpm/boundary/momentum_update.h>
 #include <magmpm/particles/particle_grid_transfer.h>
-#include <magmpm/particles/seeding.h>
 #include <magmpm/simulation/runaway_check.h>
 #include <magmpm/simulation/scene.h>
 #include <magmpm/simulation/time_step_control.h>
@@ -83,6 +82,59 @@ namespace magmpm
   template <int dim>
   Scene<dim>::~Scene() = default;
 
+  template <int dim>
+  std::vector<const Coupling *>
+  Scene<dim>::couplings() const
+  {
+    return {&magnetic, &holder, &fluids, &attraction};
+  }
+
+  template <int dim>
+  std::vector<Coupling *>
+  Scene<dim>::couplings()
+  {
+    return {&magnetic, &holder, &fluids, &attraction};
+  }
+
+  template <int dim>
+  void
+  Scene<dim>::begin()
+  {
+    seed_bodies();
+    set_up_decomposition();
+    holder.set_time(0.);
+    magnetic.update(state.clock, all_bodies);
+    find_sums();
+    match_attraction();
+    for (const Coupling *coupling : couplings())
+      if (!coupling->description().empty())
+        state.notices.push_back({false, coupling->description()});
+
+    // What limits the first step is not known from a step before it.
+    std::vector<ParticleExtremes> extremes;
+    for (const ParticleSums<dim> &sums : state.sums)
+      extremes.push_back({sums.max_speed,
+                          sums.max_speed + undeformed_wave_speed(all_bodies[extremes.size()]),
+                          sums.max_affine_velocity,
+                          1.,
+                          1.});
+    find_limits(extremes);
+  }
+
+  template <int dim>
+  void
+  Scene<dim>::match_attraction()
+  {
+    if (!attraction.waits_for_match())
+      return;
+    Vector<dim> magnetic_force;
+    for (const ParticleSums<dim> &sums : state.sums)
+      magnetic_force += sums.magnetic_force;
+    attraction.match(magnetic_force, all_bodies, communicator);
+    magnetic.end(all_bodies);
+    find_sums();
+  }
+
   // One step, section 4.3 of Sun et al. 2021.
   template <int dim>
   void
@@ -118,10 +170,7 @@ namespace magmpm
     state.clock.time_step = step.length;
     state.limit           = step.limit;
     if (step.limit != frame_end_limit || state.clock.step == 0)
-      {
-        state.full_time_step = step.length;
-        state.full_limit     = step.limit;
-      }
+      state.last_full_step = step;
   }
 
   template <int dim>
@@ -199,32 +248,6 @@ namespace magmpm
 
   template <int dim>
   void
-  Scene<dim>::add_sums(parallel::Reduction &reduction)
-  {
-    state.sums.clear();
-    state.fewest_particles = 0.;
-    for (const Body<dim> &body : all_bodies)
-      {
-        state.sums.push_back(particle_sums(
-          body, parameters.lattice, parameters.gravity, parameters.magnetics.model()));
-        state.fewest_particles += static_cast<double>(body.particles.size());
-      }
-    for (ParticleSums<dim> &sums : state.sums)
-      sums.for_each_member(reduction);
-    reduction.min(state.fewest_particles);
-  }
-
-  template <int dim>
-  void
-  Scene<dim>::find_sums()
-  {
-    parallel::Reduction reduction;
-    add_sums(reduction);
-    reduction.carry_out(communicator);
-  }
-
-  template <int dim>
-  void
   Scene<dim>::find_limits(const std::vector<ParticleExtremes> &extremes)
   {
     StepConditions conditions;
@@ -242,29 +265,6 @@ namespace magmpm
     for (const Coupling *coupling : couplings())
       coupling->limit_step(conditions);
     state.conditions = conditions;
-  }
-
-  template <int dim>
-  void
-  Scene<dim>::regroup_particles()
-  {
-    const Scope timed(phase_timer, "Sort and migrate");
-    const Regrouping regrouping = decomposition->regroup(all_bodies);
-    if (regrouping.n_lost > 0)
-      {
-        const std::string text = report(regrouping, state.clock.time);
-        if (!parameters.walls.removes_leaving_particles)
-          throw RunError(text + " Take a larger box, another condition than open for this face, or "
-                                "'Particles leaving the box = remove' in the section 'Walls'.");
-        state.notices.push_back({true, text});
-      }
-    state.lost_particles += regrouping.n_lost;
-    state.migrated_particles += regrouping.n_migrated;
-    if (regrouping.mesh.is_rebalanced)
-      state.notices.push_back({false, report(regrouping.mesh, parallel::n_ranks(communicator))});
-    state.mesh_changes += regrouping.mesh.is_change();
-    state.imbalance = regrouping.mesh.imbalance;
-    lattice_field.reinit(decomposition->blocks().size());
   }
 
   template class Scene<2>;

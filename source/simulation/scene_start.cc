@@ -1,9 +1,9 @@
-// How a scene begins, and how it goes on from a checkpoint.
+// How the particles of a scene come to their places, at its start and later, and how it goes on from
+// a checkpoint.
 
 #include <magmpm/base/exceptions.h>
 #include <magmpm/parallel/reduce.h>
 #include <magmpm/particles/seeding.h>
-#include <magmpm/simulation/runaway_check.h>
 #include <magmpm/simulation/scene.h>
 
 namespace magmpm
@@ -46,40 +46,25 @@ namespace magmpm
 
   template <int dim>
   void
-  Scene<dim>::begin()
+  Scene<dim>::regroup_particles()
   {
-    seed_bodies();
-    set_up_decomposition();
-    holder.set_time(0.);
-    magnetic.update(state.clock, all_bodies);
-    find_sums();
-    match_attraction();
-    if (!attraction.description().empty())
-      state.notices.push_back({false, attraction.description()});
-
-    // What limits the first step is not known from a step before it.
-    std::vector<ParticleExtremes> extremes;
-    for (const ParticleSums<dim> &sums : state.sums)
-      extremes.push_back({sums.max_speed,
-                          sums.max_speed + undeformed_wave_speed(all_bodies[extremes.size()]),
-                          sums.max_affine_velocity,
-                          1.,
-                          1.});
-    find_limits(extremes);
-  }
-
-  template <int dim>
-  void
-  Scene<dim>::match_attraction()
-  {
-    if (!attraction.waits_for_match())
-      return;
-    Vector<dim> magnetic_force;
-    for (const ParticleSums<dim> &sums : state.sums)
-      magnetic_force += sums.magnetic_force;
-    attraction.match(magnetic_force, all_bodies, communicator);
-    magnetic.end(all_bodies);
-    find_sums();
+    const Scope timed(phase_timer, "Sort and migrate");
+    const Regrouping regrouping = decomposition->regroup(all_bodies);
+    if (regrouping.n_lost > 0)
+      {
+        const std::string text = report(regrouping, state.clock.time);
+        if (!parameters.walls.removes_leaving_particles)
+          throw RunError(text + " Take a larger box, another condition than open for this face, or "
+                                "'Particles leaving the box = remove' in the section 'Walls'.");
+        state.notices.push_back({true, text});
+      }
+    state.lost_particles += regrouping.n_lost;
+    state.migrated_particles += regrouping.n_migrated;
+    if (regrouping.mesh.is_rebalanced)
+      state.notices.push_back({false, report(regrouping.mesh, parallel::n_ranks(communicator))});
+    state.mesh_changes += regrouping.mesh.is_change();
+    state.imbalance = regrouping.mesh.imbalance;
+    lattice_field.reinit(decomposition->blocks().size());
   }
 
   template <int dim>
@@ -115,12 +100,14 @@ namespace magmpm
     set_up_decomposition();
   }
 
-#define INSTANTIATE(dim)                                                      \
-  template void Scene<dim>::begin();                                          \
-  template std::vector<SectionTitle> Scene<dim>::titles() const;              \
-  template std::vector<Section> Scene<dim>::save();                           \
-  template void Scene<dim>::load(                                             \
-    const std::vector<Section> &, const std::function<void(std::vector<Body<dim>> &)> &);
+#define INSTANTIATE(dim)                                         \
+  template void Scene<dim>::seed_bodies();                       \
+  template void Scene<dim>::set_up_decomposition();              \
+  template void Scene<dim>::regroup_particles();                 \
+  template std::vector<SectionTitle> Scene<dim>::titles() const; \
+  template std::vector<Section> Scene<dim>::save();              \
+  template void Scene<dim>::load(const std::vector<Section> &,   \
+                                 const std::function<void(std::vector<Body<dim>> &)> &);
 
   INSTANTIATE(2)
   INSTANTIATE(3)

@@ -8,20 +8,6 @@
 namespace magmpm
 {
   template <int dim>
-  std::vector<const Coupling *>
-  Scene<dim>::couplings() const
-  {
-    return {&magnetic, &holder, &fluids, &attraction};
-  }
-
-  template <int dim>
-  std::vector<Coupling *>
-  Scene<dim>::couplings()
-  {
-    return {&magnetic, &holder, &fluids, &attraction};
-  }
-
-  template <int dim>
   ParticleSums<dim>
   Scene<dim>::total() const
   {
@@ -29,6 +15,32 @@ namespace magmpm
     for (const ParticleSums<dim> &sums : state.sums)
       total += sums;
     return total;
+  }
+
+  template <int dim>
+  void
+  Scene<dim>::add_sums(parallel::Reduction &reduction)
+  {
+    state.sums.clear();
+    state.fewest_particles = 0.;
+    for (const Body<dim> &body : all_bodies)
+      {
+        state.sums.push_back(particle_sums(
+          body, parameters.lattice, parameters.gravity, parameters.magnetics.model()));
+        state.fewest_particles += static_cast<double>(body.particles.size());
+      }
+    for (ParticleSums<dim> &sums : state.sums)
+      sums.for_each_member(reduction);
+    reduction.min(state.fewest_particles);
+  }
+
+  template <int dim>
+  void
+  Scene<dim>::find_sums()
+  {
+    parallel::Reduction reduction;
+    add_sums(reduction);
+    reduction.carry_out(communicator);
   }
 
   template <int dim>
@@ -147,8 +159,8 @@ namespace magmpm
   }
 
 #define INSTANTIATE(dim)                                                         \
-  template std::vector<const Coupling *> Scene<dim>::couplings() const;          \
-  template std::vector<Coupling *> Scene<dim>::couplings();                      \
+  template void Scene<dim>::add_sums(parallel::Reduction &);                     \
+  template void Scene<dim>::find_sums();                                         \
   template ParticleSums<dim> Scene<dim>::total() const;                          \
   template ColumnTable Scene<dim>::columns() const;                              \
   template void Scene<dim>::prepare_row();                                       \

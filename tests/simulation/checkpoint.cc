@@ -5,8 +5,8 @@
 #include <magmpm/simulation/checkpoint.h>
 #include <magmpm/simulation/parameter_changes.h>
 
-#include "catch.h"
 #include "../test_folder.h"
+#include "catch.h"
 
 #include <mpi.h>
 
@@ -30,9 +30,9 @@ namespace
   write(const CheckpointFolder &checkpoints, const std::string &name, const char label)
   {
     Checkpoint checkpoint;
-    checkpoint.version    = "magmpm test";
-    checkpoint.parameters = "set Dimension = 2\n";
-    checkpoint.sections   = {{{"run", 1}, std::string("run") + label}};
+    checkpoint.version        = "magmpm test";
+    checkpoint.parameters     = "set Dimension = 2\n";
+    checkpoint.sections       = {{{"run", 1}, std::string("run") + label}};
     const Particles particles = particles_of_this_rank();
     std::vector<ColumnsToWrite> columns;
     for (const std::vector<double> &body : particles)
@@ -44,11 +44,12 @@ namespace
   read_particles(const CheckpointFolder &checkpoints)
   {
     Particles particles(3);
-    checkpoints.read_particles(checkpoints.read(), [&](const std::size_t body, const std::size_t n) {
-      std::vector<double> &all = particles.at(body);
-      all.resize(all.size() + n);
-      return std::vector<Bytes>{{all.data() + all.size() - n, n * sizeof(double)}};
-    });
+    checkpoints.read_particles(
+      checkpoints.read(), [&](const std::size_t body, const std::size_t n) {
+        std::vector<double> &all = particles.at(body);
+        all.resize(all.size() + n);
+        return std::vector<Bytes>{{all.data() + all.size() - n, n * sizeof(double)}};
+      });
     return particles;
   }
 
@@ -101,7 +102,9 @@ TEST_CASE("The latest checkpoint is a whole one", "[simulation][mpi]")
   const auto exists = [&](const std::string &name) {
     return std::filesystem::exists(folder + "/checkpoint/" + name + "/run.bin");
   };
-  const auto latest_run = [&]() { return section_named("run", checkpoints.read().sections).back(); };
+  const auto latest_run = [&]() {
+    return section_named("run", checkpoints.read().sections).back();
+  };
   for (const char step : {'1', '2', '3'})
     write(checkpoints, std::string("step-") + step, step);
   MPI_Barrier(MPI_COMM_WORLD);
@@ -157,8 +160,9 @@ TEST_CASE("A checkpoint of another version is refused by name", "[simulation]")
   const std::vector<SectionTitle> mine = {{"scene", 1}, {"magnetics", 2}};
   CHECK_NOTHROW(check_titles({{"magnetics", 2}, {"scene", 1}}, mine));
   CHECK_THROWS_WITH(check_titles({{"scene", 1}, {"magnetics", 1}}, mine),
-                    Catch::Matchers::Contains("section 'magnetics' of the checkpoint has version 1, "
-                                              "this magmpm reads version 2"));
+                    Catch::Matchers::Contains(
+                      "section 'magnetics' of the checkpoint has version 1, "
+                      "this magmpm reads version 2"));
   CHECK_THROWS_WITH(check_titles({{"scene", 1}}, mine),
                     Catch::Matchers::Contains("has no section 'magnetics'"));
   CHECK_THROWS_WITH(check_titles({{"scene", 1}, {"magnetics", 2}, {"tension", 1}}, mine),

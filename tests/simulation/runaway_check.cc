@@ -62,8 +62,7 @@ namespace
     clock.time_step = 0.125;
     try
       {
-        check_for_runaways(
-          bodies, extremes, RunawayLimits(), clock, "elastic", MPI_COMM_WORLD);
+        check_for_runaways(bodies, extremes, RunawayLimits(), clock, "elastic", MPI_COMM_WORLD);
       }
     catch (const RunError &error)
       {

@@ -26,9 +26,8 @@ namespace
   Parameters<3>
   small_cube()
   {
-    return read_parameters<3>(
-      read_parameter_file(source_folder() + "/parameter_files/cube_nonlinear.prm",
-                          {"Box/Cell size=0.03125"}));
+    return read_parameters<3>(read_parameter_file(
+      source_folder() + "/parameter_files/cube_nonlinear.prm", {"Box/Cell size=0.03125"}));
   }
 
   std::vector<std::string>
@@ -73,7 +72,8 @@ TEST_CASE("A scene steps and tells a magnet's force without writing a file", "[s
   std::filesystem::current_path(before);
 }
 
-TEST_CASE("A step ends where its caller wants, and reduces the caller's numbers", "[simulation][mpi]")
+TEST_CASE("A step ends where its caller wants, and reduces the caller's numbers",
+          "[simulation][mpi]")
 {
   // The one exchange of a step carries a number of each rank along; the step does not pass `until`.
   Scene<3> scene(small_cube(), MPI_COMM_WORLD);
@@ -114,9 +114,9 @@ TEST_CASE("the columns of a scene have units of its dimension", "[simulation]")
   // momentum.
   const Scene<3> cube(small_cube(), MPI_COMM_WORLD);
   CHECK(cube.columns().all().size() == 15 + 3 * 3 + 6 + 6 + 9 + 6 + 3);
-  const Scene<2> drop(read_parameters<2>(
-                        read_parameter_file(source_folder() + "/parameter_files/drop_2d.prm")),
-                      MPI_COMM_WORLD);
+  const Scene<2> drop(
+    read_parameters<2>(read_parameter_file(source_folder() + "/parameter_files/drop_2d.prm")),
+    MPI_COMM_WORLD);
   std::string headings;
   for (const Column &column : drop.columns().all())
     headings += column.name + " [" + column.unit + "]\n";

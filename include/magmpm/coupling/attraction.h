@@ -85,9 +85,8 @@ namespace magmpm
     void
     act(const double time_step, std::vector<Body<dim>> &bodies);
 
-    /** A line on it for the log; empty without an attraction. */
     std::string
-    description() const;
+    description() const override;
 
     void
     limit_step(StepConditions &conditions) const override;

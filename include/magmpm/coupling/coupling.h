@@ -59,6 +59,13 @@ namespace magmpm
     {
     }
 
+    /** A line on it for the log, when a scene has begun; empty if there is nothing to say. */
+    virtual std::string
+    description() const
+    {
+      return "";
+    }
+
     /** Name and version of its section of a checkpoint. */
     virtual SectionTitle
     title() const = 0;

@@ -57,7 +57,8 @@ namespace magmpm
     const Lattice<dim> lattice;
     const OpenFaces<dim> open;
     bool relaxed_this_step = false;
-    DensityError found;       ///< by the last relaxation
-    double mean_error = 0.; ///< |J - J of the lattice| before it, of particles not next to a free surface
+    DensityError found; ///< by the last relaxation
+    double mean_error =
+      0.; ///< |J - J of the lattice| before it, of particles not next to a free surface
   };
 } // namespace magmpm

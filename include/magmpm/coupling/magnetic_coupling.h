@@ -32,7 +32,8 @@ namespace magmpm
     Lattice<dim> lattice;
     MagneticsParameters<dim> magnetics;
     SolveTriggerParameters trigger;
-    bool moves_magnets = false; ///< whether a magnet is free, so that each solve finds what moves it
+    bool moves_magnets =
+      false; ///< whether a magnet is free, so that each solve finds what moves it
   };
 
   /** How far the material has moved since the last solve, on which the carried force depends. */
@@ -56,16 +57,16 @@ namespace magmpm
   template <int dim>
   struct MagneticState
   {
-    bool is_over                = false; ///< the magnets act no more (MagneticCoupling::end())
-    unsigned int n_solves       = 0;     ///< of the potential, so far
-    bool solved_this_step       = false;
-    unsigned int step_of_solve  = 0; ///< the last one
-    double time_of_solve        = 0.; ///< [s]
+    bool is_over               = false; ///< the magnets act no more (MagneticCoupling::end())
+    unsigned int n_solves      = 0;     ///< of the potential, so far
+    bool solved_this_step      = false;
+    unsigned int step_of_solve = 0;  ///< the last one
+    double time_of_solve       = 0.; ///< [s]
     SolveReport report;              ///< of the last one
     Vector<dim> dropped_force;       ///< at the last solve, on no mass: reaches no particle [N]
     SolveAge age;
-    CarriedReactions<dim> reactions; ///< empty until somebody asks for them
-    unsigned int solve_of_reactions = 0; ///< n_solves when they were found
+    CarriedReactions<dim> reactions;      ///< empty until somebody asks for them
+    unsigned int solve_of_reactions = 0;  ///< n_solves when they were found
     double max_wave_speed           = 0.; ///< that magnetization adds [m/s]
     double max_acceleration         = 0.; ///< of a particle by magnets [m/s^2]
 
@@ -223,7 +224,7 @@ namespace magmpm
 
     const BackgroundMesh<dim> *mesh      = nullptr;
     const BlockPartition<dim> *partition = nullptr;
-    std::unique_ptr<PotentialProblem<dim>> problem;  ///< null without magnetic material
+    std::unique_ptr<PotentialProblem<dim>> problem; ///< null without magnetic material
     std::optional<unsigned int> mesh_of_last_solve; ///< its revision
 
     MagneticState<dim> memory;

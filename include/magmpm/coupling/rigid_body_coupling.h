@@ -32,10 +32,10 @@ namespace magmpm
   /** What rigid bodies and walls must remember of the particles that they hold. */
   struct HoldCounts
   {
-    std::size_t held     = 0; ///< particles put back onto walls so far, all ranks
-    std::size_t inside   = 0; ///< in rigid bodies in the last step, all ranks
-    std::size_t pushed   = 0; ///< out of rigid bodies so far, all ranks
-    double deepest       = 0.; ///< of a particle in a rigid body since the last row, all ranks [m]
+    std::size_t held   = 0;  ///< particles put back onto walls so far, all ranks
+    std::size_t inside = 0;  ///< in rigid bodies in the last step, all ranks
+    std::size_t pushed = 0;  ///< out of rigid bodies so far, all ranks
+    double deepest     = 0.; ///< of a particle in a rigid body since the last row, all ranks [m]
 
     template <typename Archive>
     void

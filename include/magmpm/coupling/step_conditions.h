@@ -13,10 +13,10 @@ namespace magmpm
     double magnetic_wave_speed = 0.; ///< sqrt(mu_0 |M|^2/rho) [m/s]
     double collider_speed      = 0.; ///< of rigid bodies [m/s]
     double kinematic_viscosity = 0.; ///< J mu_N/rho_0 [m^2/s]
-    double acceleration        = 0.; ///< the sum of the largest ones of all that acts on material [m/s^2]
-    double affine_velocity     = 0.; ///< |C| [1/s]
-    double rigid_acceleration  = 0.; ///< of free rigid bodies [m/s^2]
-    double rotation_rate       = 0.; ///< of free rigid bodies: how fast they turn or swing [1/s]
+    double acceleration = 0.; ///< the sum of the largest ones of all that acts on material [m/s^2]
+    double affine_velocity    = 0.; ///< |C| [1/s]
+    double rigid_acceleration = 0.; ///< of free rigid bodies [m/s^2]
+    double rotation_rate      = 0.; ///< of free rigid bodies: how fast they turn or swing [1/s]
 
     template <typename Archive>
     void

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <magmpm/parameters/parameters.h>
 #include <magmpm/mesh/background_mesh.h>
 #include <magmpm/mesh/block_partition.h>
+#include <magmpm/parameters/parameters.h>
 #include <magmpm/particles/body.h>
 #include <magmpm/particles/particle_sort.h>
 
@@ -90,6 +90,7 @@ namespace magmpm
     const bool has_force; ///< of magnets
     BackgroundMesh<dim> background_mesh;
     BlockPartition<dim> block_partition;
-    double drift = 0.; ///< the longest way that a particle can have gone since they were grouped [m]
+    double drift =
+      0.; ///< the longest way that a particle can have gone since they were grouped [m]
   };
 } // namespace magmpm

@@ -45,8 +45,8 @@ namespace magmpm
     /** What a run must remember besides its scene. */
     struct Progress
     {
-      unsigned int frame     = 0; ///< the last one written
-      double at_rest_since   = -1.; ///< RestCheck::since
+      unsigned int frame   = 0;   ///< the last one written
+      double at_rest_since = -1.; ///< RestCheck::since
       ResultsProgress results;
 
       template <typename Archive>

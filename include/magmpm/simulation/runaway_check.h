@@ -1,7 +1,7 @@
 #pragma once
 
-#include <magmpm/parameters/run_parameters.h>
 #include <magmpm/coupling/clock.h>
+#include <magmpm/parameters/run_parameters.h>
 #include <magmpm/particles/body.h>
 #include <magmpm/particles/particle_grid_transfer.h>
 

@@ -3,6 +3,7 @@
 #include <magmpm/coupling/clock.h>
 #include <magmpm/coupling/step_conditions.h>
 #include <magmpm/particles/particle_sums.h>
+#include <magmpm/simulation/time_step_control.h>
 
 #include <cstddef>
 #include <string>
@@ -24,15 +25,13 @@ namespace magmpm
     Clock clock;
     std::string limit = "none"; ///< of the last time step
 
-    /** The last time step that was not cut short to meet a frame [s], and its limit. */
-    double full_time_step  = 0.;
-    std::string full_limit = "none";
+    TimeStep last_full_step; ///< the last time step that was not cut short to meet a frame
 
-    std::size_t lost_particles     = 0;  ///< so far
-    std::size_t migrated_particles = 0;  ///< so far
-    unsigned int mesh_changes      = 0;  ///< so far
-    double imbalance               = 1.; ///< load of the most loaded rank over the mean, at the last sort
-    double max_speed               = 0.; ///< of a particle in the last step [m/s]
+    std::size_t lost_particles     = 0; ///< so far
+    std::size_t migrated_particles = 0; ///< so far
+    unsigned int mesh_changes      = 0; ///< so far
+    double imbalance = 1.; ///< load of the most loaded rank over the mean, at the last sort
+    double max_speed = 0.; ///< of a particle in the last step [m/s]
 
     StepConditions conditions; ///< of the next step
 
@@ -47,8 +46,8 @@ namespace magmpm
     {
       archive &clock;
       archive &limit;
-      archive &full_time_step;
-      archive &full_limit;
+      archive &last_full_step.length;
+      archive &last_full_step.limit;
       archive &lost_particles;
       archive &migrated_particles;
       archive &mesh_changes;

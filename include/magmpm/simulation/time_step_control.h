@@ -14,7 +14,8 @@ namespace magmpm
   struct TimeStep
   {
     double length = 0.; ///< dt [s]
-    std::string limit;  ///< elastic, viscous, force, affine, rotation, maximum, frame end or fixed
+    std::string limit =
+      "none"; ///< elastic, viscous, force, affine, rotation, maximum, frame end or fixed
   };
 
   /**
