@@ -1,4 +1,5 @@
 #include <magmpm/boundary/rigid_bodies.h>
+#include <magmpm/motion/pose_function.h>
 
 #include <algorithm>
 #include <utility>
@@ -6,60 +7,48 @@
 namespace magmpm
 {
   template <int dim>
-  double
-  mass_of(const Shape<dim> &shape, const double mass, const double density)
+  RigidBody<dim>
+  make_rigid_body(const std::string &name,
+                  const std::shared_ptr<const Shape<dim>> &shape,
+                  const RigidBodyProperties<dim> &properties,
+                  const Pose<dim> &pose)
   {
-    return mass > 0. ? mass : density * shape.volume_moments().volume;
+    RigidBody<dim> body(name, shape, properties.contact);
+    body.place(pose, {});
+    if (properties.is_free)
+      {
+        body.set_free(properties.mass > 0. ? properties.mass
+                                           : properties.density * shape->volume_moments().volume);
+        body.set_motion({properties.velocity, properties.angular_velocity});
+      }
+    return body;
   }
 
   template <int dim>
-  RigidBodies<dim>::RigidBodies(const std::vector<SourceParameters<dim>> &source_parameters,
-                                const std::vector<RigidBodyParameters<dim>> &parameters,
-                                const ExternalField<dim> &sources)
-    : sources(sources)
+  std::vector<MovedBody<dim>>
+  make_rigid_bodies(const std::vector<RigidBodyParameters<dim>> &parameters)
   {
-    for (std::size_t s = 0; s < source_parameters.size(); ++s)
-      if (source_parameters[s].is_free || sources.sources()[s]->contact() != ContactCondition::none)
-        add_source(source_parameters[s], s);
+    std::vector<MovedBody<dim>> result;
     for (const RigidBodyParameters<dim> &body : parameters)
-      add_body(body);
+      {
+        const std::shared_ptr<const Shape<dim>> shape = make_shape(body.shape);
+        result.push_back({make_rigid_body(body.name, shape, body.properties),
+                          body.pose,
+                          MovedBody<dim>::Frame::body,
+                          {}});
+      }
+    return result;
+  }
+
+  template <int dim>
+  RigidBodies<dim>::RigidBodies(const std::vector<MovedBody<dim>> &moved)
+  {
+    for (const MovedBody<dim> &one : moved)
+      {
+        bodies.push_back(one.body);
+        origins.push_back({one.script, one.frame, one.source});
+      }
     set_time(0.);
-  }
-
-  template <int dim>
-  void
-  RigidBodies<dim>::add_source(const SourceParameters<dim> &parameters, const std::size_t source)
-  {
-    const MagneticSource<dim> &magnet = *sources.sources()[source];
-    // The source owns its shape.
-    const std::shared_ptr<const Shape<dim>> shape(std::shared_ptr<void>(), magnet.shape());
-    RigidBody<dim> body(magnet.name(), shape, {magnet.contact(), magnet.friction()});
-    body.place(magnet.pose(), {});
-    if (parameters.is_free)
-      {
-        body.set_free(mass_of(*shape, parameters.mass, parameters.density));
-        body.set_motion({parameters.velocity, parameters.angular_velocity});
-      }
-    bodies.push_back(std::move(body));
-    origins.push_back({source, {}});
-  }
-
-  template <int dim>
-  void
-  RigidBodies<dim>::add_body(const RigidBodyParameters<dim> &parameters)
-  {
-    const std::shared_ptr<const Shape<dim>> shape = make_shape(parameters.shape);
-    RigidBody<dim> body(parameters.name, shape, parameters.contact);
-    Origin origin;
-    if (parameters.is_free)
-      {
-        body.set_free(mass_of(*shape, parameters.mass, parameters.density));
-        body.set_motion({parameters.velocity, parameters.angular_velocity});
-      }
-    else
-      origin.script = parameters.pose;
-    bodies.push_back(std::move(body));
-    origins.push_back(std::move(origin));
   }
 
   template <int dim>
@@ -68,17 +57,13 @@ namespace magmpm
   {
     for (std::size_t b = 0; b < bodies.size(); ++b)
       {
-        RigidBody<dim> &body = bodies[b];
-        if (origins[b].script)
-          body.move_to((*origins[b].script)(time), motion_at(*origins[b].script, time));
-        else if (origins[b].source)
-          {
-            MagneticSource<dim> &source = *sources.sources()[*origins[b].source];
-            if (body.is_free())
-              source.set_pose(body.pose_of_shape(), body.motion_of_shape());
-            else
-              body.place(source.pose(), source.motion());
-          }
+        if (bodies[b].is_free())
+          continue;
+        const TimeFunction<Pose<dim>> &script = origins[b].script;
+        if (origins[b].frame == MovedBody<dim>::Frame::body)
+          bodies[b].move_to(script(time), motion_at(script, time));
+        else
+          bodies[b].place(script(time), motion_at(script, time));
       }
   }
 
@@ -117,20 +102,21 @@ namespace magmpm
   RigidBodies<dim>::restore(const std::vector<double> &record)
   {
     std::size_t place = 0;
-    for (std::size_t b = 0; b < bodies.size() && !record.empty(); ++b)
-      if (bodies[b].is_free())
-        {
-          bodies[b].read_record(record, place);
-          if (origins[b].source)
-            sources.sources()[*origins[b].source]->set_pose(bodies[b].pose_of_shape(),
-                                                            bodies[b].motion_of_shape());
-        }
+    for (RigidBody<dim> &body : bodies)
+      if (body.is_free() && !record.empty())
+        body.read_record(record, place);
   }
 
-#define MAGMPM_INSTANTIATE(dim)    \
-  template class RigidBodies<dim>; \
-  template double mass_of<dim>(const Shape<dim> &, double, double);
+#define MAGMPM_INSTANTIATE(dim)                                                      \
+  template class RigidBodies<dim>;                                                   \
+  template RigidBody<dim> make_rigid_body(const std::string &,                       \
+                                          const std::shared_ptr<const Shape<dim>> &, \
+                                          const RigidBodyProperties<dim> &,          \
+                                          const Pose<dim> &);                        \
+  template std::vector<MovedBody<dim>> make_rigid_bodies(                            \
+    const std::vector<RigidBodyParameters<dim>> &);
 
   MAGMPM_INSTANTIATE(2)
   MAGMPM_INSTANTIATE(3)
+#undef MAGMPM_INSTANTIATE
 } // namespace magmpm

@@ -40,7 +40,7 @@ namespace magmpm
     const MagneticSource<dim> &magnet = *sources.sources()[source];
     Vector<dim> field;
     for (const auto &other : sources.sources())
-      if (other.get() != &magnet)
+      if (other != &magnet)
         field += other->field(magnet.pose().position);
     // A uniform field along each axis in turn finds the moment, whatever the magnet is.
     double square = 0.;
@@ -59,19 +59,13 @@ namespace magmpm
   bool
   MagnetForces<dim>::is_known()
   {
-    const auto is_equal = [](const Snapshot &one, const Snapshot &other) {
-      return norm(one.strength - other.strength) == 0. &&
-             norm(one.pose.position - other.pose.position) == 0. &&
-             frobenius_norm(one.pose.rotation + (-1.) * other.pose.rotation) == 0.;
-    };
-    std::vector<Snapshot> now;
+    std::vector<unsigned long> revisions;
     for (const auto &source : sources.sources())
-      now.push_back({source->strength(), source->pose()});
-    if (now.size() == remembered.size() &&
-        std::equal(now.begin(), now.end(), remembered.begin(), is_equal))
+      revisions.push_back(source->revision());
+    if (revisions == known_revisions)
       return true;
-    remembered = now;
-    return now.empty();
+    known_revisions = revisions;
+    return false;
   }
 
   template class MagnetForces<2>;

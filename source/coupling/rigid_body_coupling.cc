@@ -1,3 +1,4 @@
+#include <magmpm/coupling/magnet_bodies.h>
 #include <magmpm/coupling/rigid_body_coupling.h>
 
 #include <algorithm>
@@ -11,7 +12,20 @@ namespace magmpm
 
     /** Points of the bodies' surfaces where they touch each other. */
     constexpr double spacing_of_points = 1.; // dx
-  }                                          // namespace
+
+    /** Magnets first, then the others. */
+    template <int dim>
+    std::vector<MovedBody<dim>>
+    all_bodies(const RigidBodyCouplingParameters<dim> &parameters,
+               const ExternalField<dim> &external_field)
+    {
+      auto result =
+        make_magnet_bodies(parameters.sources, parameters.magnet_bodies, external_field);
+      for (MovedBody<dim> &body : make_rigid_bodies(parameters.rigid_bodies))
+        result.push_back(std::move(body));
+      return result;
+    }
+  } // namespace
 
   template <int dim>
   RigidBodyCoupling<dim>::RigidBodyCoupling(const RigidBodyCouplingParameters<dim> &parameters,
@@ -22,7 +36,7 @@ namespace magmpm
     , external_field(external_field)
     , reactions(reactions)
     , communicator(communicator)
-    , rigid_bodies(parameters.sources, parameters.rigid_bodies, external_field)
+    , rigid_bodies(all_bodies(parameters, external_field))
     , boundary(parameters.lattice, parameters.walls, rigid_bodies.all())
     , collision(parameters.lattice,
                 parameters.walls,
@@ -30,6 +44,7 @@ namespace magmpm
                 spacing_of_points * parameters.lattice.spacing)
     , magnet_forces(external_field)
   {
+    move_free_sources(rigid_bodies, external_field);
   }
 
   template <int dim>
@@ -38,6 +53,7 @@ namespace magmpm
   {
     external_field.set_time(time);
     rigid_bodies.set_time(time);
+    move_free_sources(rigid_bodies, external_field);
   }
 
   template <int dim>

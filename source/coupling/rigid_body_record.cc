@@ -1,5 +1,6 @@
 // What the coupling of rigid bodies tells of itself: limits of the time step, columns, checkpoint.
 
+#include <magmpm/coupling/magnet_bodies.h>
 #include <magmpm/coupling/rigid_body_coupling.h>
 
 #include <algorithm>
@@ -139,6 +140,7 @@ namespace magmpm
     unpack(bytes, record);
     counts = record.first;
     rigid_bodies.restore(record.second);
+    move_free_sources(rigid_bodies, external_field);
   }
 
 #define INSTANTIATE(dim)                                                    \

@@ -1,4 +1,5 @@
 #include <magmpm/base/constants.h>
+#include <magmpm/geometry/box_shape.h>
 #include <magmpm/magnets/cuboid.h>
 #include <magmpm/magnets/gauss_points.h>
 
@@ -340,6 +341,23 @@ namespace magmpm
     return act_on(elements, magnetization, acting);
   }
 
+  template <int dim>
+  SourceParts<dim>
+  make_parts(const CuboidParameters<dim> &parameters, const std::string &name)
+  {
+    for (int d = 0; d < dim; ++d)
+      check_positive(parameters.size[d], "size of the cuboid", name);
+    SourceParts<dim> parts;
+    parts.field     = std::make_unique<Cuboid<dim>>(parameters.size);
+    parts.amplitude = parameters.magnetization;
+    parts.shape = std::make_unique<BoxShape<dim>>(-0.5 * parameters.size, 0.5 * parameters.size);
+    return parts;
+  }
+
   template class Cuboid<2>;
   template class Cuboid<3>;
+  template SourceParts<2>
+  make_parts(const CuboidParameters<2> &, const std::string &);
+  template SourceParts<3>
+  make_parts(const CuboidParameters<3> &, const std::string &);
 } // namespace magmpm

@@ -117,4 +117,17 @@ namespace magmpm
   {
     return act_on(elements, current[0], acting);
   }
+
+  SourceParts<3>
+  make_parts(const CurrentLoopParameters &parameters, const std::string &name)
+  {
+    check_positive(parameters.radius, "radius of the current loop", name);
+    check_positive(parameters.conductor_radius, "conductor radius of the current loop", name);
+    SourceParts<3> parts;
+    parts.field     = std::make_unique<CurrentLoop>(parameters.radius, parameters.conductor_radius);
+    parts.amplitude = current_amplitude<3>(parameters.current);
+    parts.axis      = parameters.axis;
+    parts.is_current = true;
+    return parts;
+  }
 } // namespace magmpm

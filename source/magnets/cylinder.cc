@@ -1,4 +1,5 @@
 #include <magmpm/base/constants.h>
+#include <magmpm/geometry/cylinder_shape.h>
 #include <magmpm/magnets/axial_field.h>
 #include <magmpm/magnets/cylinder.h>
 #include <magmpm/magnets/gauss_points.h>
@@ -159,5 +160,22 @@ namespace magmpm
   Cylinder::force_and_torque(const Vector<3> &magnetization, const ActingField<3> &acting) const
   {
     return act_on(elements, magnetization, acting);
+  }
+
+  SourceParts<3>
+  make_parts(const CylinderParameters &parameters, const std::string &name)
+  {
+    check_positive(parameters.radius, "radius of the cylinder", name);
+    check_positive(parameters.length, "length of the cylinder", name);
+    const Vector<3> z = {{0., 0., 1.}};
+    SourceParts<3> parts;
+    parts.field     = std::make_unique<Cylinder>(parameters.radius, parameters.length);
+    parts.amplitude = parameters.magnetization;
+    parts.axis      = parameters.axis;
+    parts.shape     = std::make_unique<CylinderShape>(Vector<3>(),
+                                                  norm(parameters.axis) > 0. ? parameters.axis : z,
+                                                  parameters.radius,
+                                                  parameters.length);
+    return parts;
   }
 } // namespace magmpm

@@ -15,7 +15,8 @@ namespace magmpm
     for (const SourceParameters<dim> &source : parameters)
       {
         all_sources.push_back(make_source(source));
-        if (all_sources.back()->contact() != ContactCondition::none)
+        views.push_back(all_sources.back().get());
+        if (all_sources.back()->is_solid())
           solids.push_back(all_sources.back().get());
         if (all_sources.back()->refuses_material())
           refusing.push_back(all_sources.back().get());
@@ -28,6 +29,13 @@ namespace magmpm
   {
     for (const auto &source : all_sources)
       source->set_time(time);
+  }
+
+  template <int dim>
+  void
+  ExternalField<dim>::set_pose(const std::size_t source, const Pose<dim> &pose)
+  {
+    all_sources[source]->set_pose(pose);
   }
 
   template <int dim>

@@ -1,4 +1,6 @@
 #include <magmpm/base/constants.h>
+#include <magmpm/geometry/mesh_file.h>
+#include <magmpm/geometry/mesh_shape.h>
 #include <magmpm/magnets/magnetized_mesh.h>
 
 #include <algorithm>
@@ -206,5 +208,17 @@ namespace magmpm
     if (elements.empty())
       elements = make_elements();
     return act_on(elements, magnetization, acting);
+  }
+
+  SourceParts<3>
+  make_parts(const MagnetizedMeshParameters &parameters, const std::string & /*name*/)
+  {
+    TriangleMesh mesh = read_closed_mesh(parameters.file);
+    transform(parameters.scale, identity<3>(), {}, mesh);
+    SourceParts<3> parts;
+    parts.field     = std::make_unique<MagnetizedMesh>(mesh);
+    parts.amplitude = parameters.magnetization;
+    parts.shape     = std::make_unique<MeshShape>(mesh);
+    return parts;
   }
 } // namespace magmpm

@@ -1,4 +1,5 @@
 #include <magmpm/base/constants.h>
+#include <magmpm/geometry/sphere_shape.h>
 #include <magmpm/magnets/magnetized_sphere.h>
 
 #include <cmath>
@@ -89,6 +90,22 @@ namespace magmpm
     return act_on<dim>({{{}, unit_ball * power<dim>(radius)}}, magnetization, acting);
   }
 
+  template <int dim>
+  SourceParts<dim>
+  make_parts(const MagnetizedSphereParameters<dim> &parameters, const std::string &name)
+  {
+    check_positive(parameters.radius, "radius of the magnetized sphere", name);
+    SourceParts<dim> parts;
+    parts.field     = std::make_unique<MagnetizedSphere<dim>>(parameters.radius);
+    parts.amplitude = parameters.magnetization;
+    parts.shape     = std::make_unique<SphereShape<dim>>(Vector<dim>(), parameters.radius);
+    return parts;
+  }
+
   template class MagnetizedSphere<2>;
   template class MagnetizedSphere<3>;
+  template SourceParts<2>
+  make_parts(const MagnetizedSphereParameters<2> &, const std::string &);
+  template SourceParts<3>
+  make_parts(const MagnetizedSphereParameters<3> &, const std::string &);
 } // namespace magmpm

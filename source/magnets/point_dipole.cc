@@ -1,4 +1,5 @@
 #include <magmpm/base/constants.h>
+#include <magmpm/geometry/sphere_shape.h>
 #include <magmpm/magnets/point_dipole.h>
 
 namespace magmpm
@@ -54,6 +55,22 @@ namespace magmpm
     return act_on<dim>({{{}, 1.}}, moment, acting);
   }
 
+  template <int dim>
+  SourceParts<dim>
+  make_parts(const PointDipoleParameters<dim> &parameters, const std::string &name)
+  {
+    check_positive(parameters.radius, "radius of the core of the point dipole", name);
+    SourceParts<dim> parts;
+    parts.field     = std::make_unique<PointDipole<dim>>(parameters.radius);
+    parts.amplitude = parameters.moment;
+    parts.shape     = std::make_unique<SphereShape<dim>>(Vector<dim>(), parameters.radius);
+    return parts;
+  }
+
   template class PointDipole<2>;
   template class PointDipole<3>;
+  template SourceParts<2>
+  make_parts(const PointDipoleParameters<2> &, const std::string &);
+  template SourceParts<3>
+  make_parts(const PointDipoleParameters<3> &, const std::string &);
 } // namespace magmpm

@@ -119,6 +119,24 @@ namespace magmpm
       return act_on(elements, current[0], acting);
   }
 
+  template <int dim>
+  SourceParts<dim>
+  make_parts(const StraightWireParameters<dim> &parameters, const std::string &name)
+  {
+    check_positive(parameters.conductor_radius, "conductor radius of the straight wire", name);
+    SourceParts<dim> parts;
+    parts.field      = std::make_unique<StraightWire<dim>>(parameters.conductor_radius,
+                                                      parameters.length);
+    parts.amplitude  = current_amplitude<dim>(parameters.current);
+    parts.axis       = parameters.axis;
+    parts.is_current = true;
+    return parts;
+  }
+
   template class StraightWire<2>;
   template class StraightWire<3>;
+  template SourceParts<2>
+  make_parts(const StraightWireParameters<2> &, const std::string &);
+  template SourceParts<3>
+  make_parts(const StraightWireParameters<3> &, const std::string &);
 } // namespace magmpm

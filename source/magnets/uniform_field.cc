@@ -1,19 +1,14 @@
 #include <magmpm/base/exceptions.h>
 #include <magmpm/magnets/uniform_field.h>
-#include <magmpm/motion/expression.h>
 
 namespace magmpm
 {
   template <int dim>
-  UniformField<dim>::UniformField(const SourceParameters<dim> &parameters)
-    : MagneticSource<dim>(parameters.name)
-    , field_in_time(
-        read_expression<dim>(parameters.field, "Field of source '" + parameters.name + "'"))
+  UniformField<dim>::UniformField(const std::string &name,
+                                  const UniformFieldParameters<dim> &parameters)
+    : MagneticSource<dim>(name)
+    , field_in_time(parameters.field)
   {
-    if (parameters.contact != ContactCondition::none)
-      throw InputError("Source '" + parameters.name +
-                       "' is a uniform field, which has no surface, but has a contact condition. "
-                       "Set it to none.");
     set_time(0.);
   }
 
@@ -21,7 +16,10 @@ namespace magmpm
   void
   UniformField<dim>::set_time(const double time)
   {
-    current_field = field_in_time(time);
+    const Vector<dim> before = current_field;
+    current_field            = field_in_time(time);
+    if (norm(current_field - before) != 0.)
+      this->note_change();
   }
 
   template <int dim>
@@ -60,15 +58,8 @@ namespace magmpm
   }
 
   template <int dim>
-  const RigidMotion<dim> &
-  UniformField<dim>::motion() const
-  {
-    return rest;
-  }
-
-  template <int dim>
   void
-  UniformField<dim>::set_pose(const Pose<dim> & /*pose*/, const RigidMotion<dim> & /*motion*/)
+  UniformField<dim>::set_pose(const Pose<dim> & /*pose*/)
   {
     throw RunError("The uniform field '" + this->name() + "' has no place and cannot be moved.");
   }

@@ -1,4 +1,5 @@
 #include <magmpm/parameters/parameter_sections.h>
+#include <magmpm/parameters/shape_section.h>
 
 namespace magmpm
 {

@@ -4,6 +4,7 @@
 #include <magmpm/base/number_text.h>
 #include <magmpm/parameters/parameter_names.h>
 #include <magmpm/parameters/section_validation.h>
+#include <magmpm/parameters/shape_section.h>
 
 #include <algorithm>
 

@@ -1,5 +1,6 @@
 #include <magmpm/magnetics/field_quantities.h>
 #include <magmpm/parameters/parameter_sections.h>
+#include <magmpm/parameters/rigid_body_section.h>
 #include <magmpm/particles/particle_quantities.h>
 
 namespace magmpm
@@ -224,7 +225,7 @@ namespace magmpm
                      Parameters<dim> &parameters)
   {
     parameters.bodies.resize(input.body_names.size());
-    parameters.sources.resize(input.magnet_names.size());
+    input.magnets.resize(input.magnet_names.size());
     parameters.rigid_bodies.resize(input.rigid_body_names.size());
     input.materials.resize(input.material_names.size());
     input.rigid_body_motions.resize(input.rigid_body_names.size());
@@ -258,11 +259,8 @@ namespace magmpm
                    input.magnet_names,
                    "Names of the sources of the external field; each has a subsection of its name "
                    "here. Their fields add up.");
-      for (std::size_t i = 0; i < parameters.sources.size(); ++i)
-        {
-          parameters.sources[i].name = input.magnet_names[i];
-          declare_source(declarations, parameters.sources[i]);
-        }
+      for (std::size_t i = 0; i < input.magnets.size(); ++i)
+        declare_magnet(declarations, input.magnet_names[i], input.magnets[i]);
     }
     {
       const auto section = declarations.enter("Rigid bodies");

@@ -1,6 +1,7 @@
 #include <magmpm/parameters/given_parameters.h>
 #include <magmpm/base/number_text.h>
 #include <magmpm/parameters/parameter_validation.h>
+#include <magmpm/parameters/rigid_body_section.h>
 #include <magmpm/parameters/section_validation.h>
 
 #include <algorithm>
@@ -118,9 +119,9 @@ namespace magmpm
           declarations.where("Magnets/List of magnets") +
           " is empty: there are magnetic bodies, but nothing magnetizes "
           "them.");
-      const bool any_is_free = std::any_of(parameters.sources.begin(),
-                                           parameters.sources.end(),
-                                           [](const auto &source) { return source.is_free; });
+      const bool any_is_free = std::any_of(parameters.magnet_bodies.begin(),
+                                           parameters.magnet_bodies.end(),
+                                           [](const auto &magnet) { return magnet.is_free; });
       if (!magnetic && !parameters.sources.empty() && !any_is_free)
         parameters.warnings.push_back(declarations.where("Magnets/List of magnets") +
                                       " is not empty, but no body is magnetic: no magnet pulls.");
@@ -145,8 +146,8 @@ namespace magmpm
     convert_magnetization_curve(declarations, input, parameters.magnetics);
     convert_materials(declarations, input, parameters);
     const auto body_shapes = check_bodies(declarations, input, parameters);
-    check_sources(declarations, parameters, body_shapes);
-    check_rigid_bodies(declarations, input, body_shapes, parameters);
+    check_magnets(declarations, input.magnet_names, input.magnets, body_shapes, parameters);
+    check_rigid_bodies(declarations, input.rigid_body_motions, body_shapes, parameters);
     check_times(declarations, parameters);
     convert_checkpoint(declarations, input, parameters.checkpoint);
 

@@ -26,9 +26,9 @@ namespace magmpm
     MagneticCouplingParameters<dim>
     magnetic_part(const Parameters<dim> &parameters)
     {
-      const bool moves_magnets = std::any_of(parameters.sources.begin(),
-                                             parameters.sources.end(),
-                                             [](const auto &source) { return source.is_free; });
+      const bool moves_magnets = std::any_of(parameters.magnet_bodies.begin(),
+                                             parameters.magnet_bodies.end(),
+                                             [](const auto &magnet) { return magnet.is_free; });
       return {parameters.lattice, parameters.magnetics, parameters.solve_trigger, moves_magnets};
     }
 
@@ -40,6 +40,7 @@ namespace magmpm
               parameters.walls,
               parameters.gravity,
               parameters.sources,
+              parameters.magnet_bodies,
               parameters.rigid_bodies};
     }
 

@@ -1,5 +1,8 @@
 #include <magmpm/boundary/lattice_boundary.h>
 #include <magmpm/boundary/rigid_bodies.h>
+#include <magmpm/geometry/sphere_shape.h>
+#include <magmpm/motion/expression.h>
+#include <magmpm/motion/pose_function.h>
 
 #include "catch.h"
 
@@ -61,42 +64,28 @@ namespace
     return node;
   }
 
-  /** A solid magnet in the middle of the box. */
+  /** A ball in the middle of the box, such as a solid magnet is. */
   template <int dim>
-  SourceParameters<dim>
-  ball(const ContactCondition contact, const bool moves = false)
+  MovedBody<dim>
+  ball(const ContactCondition contact, const std::string &position, const double radius = 0.7)
   {
-    SourceParameters<dim> source;
-    source.name     = "ball";
-    source.type     = SourceType::magnetized_sphere;
-    source.position = std::string(moves ? "0 + 3*t; 0.5 - 2*t" : "0; 0.5") +
-                      (dim == 3 ? "; 1" : "");
-    source.magnetization = (dim == 3 ? "0; 0; 1e6" : "0; 1e6");
-    source.radius        = 0.7;
-    source.contact       = contact;
-    return source;
+    RigidBodyProperties<dim> properties;
+    properties.contact.condition = contact;
+    const std::shared_ptr<const Shape<dim>> shape =
+      std::make_shared<SphereShape<dim>>(Vector<dim>(), radius);
+    MovedBody<dim> ball = {make_rigid_body("ball", shape, properties),
+                           pose_function(read_expression<dim>(position, "ball")),
+                           MovedBody<dim>::Frame::shape,
+                           {}};
+    return ball;
   }
 
-  /** Magnets and the rigid bodies that they are. */
   template <int dim>
-  struct Magnets
+  std::string
+  middle(const std::string &in_plane = "0; 0.5")
   {
-    explicit Magnets(const SourceParameters<dim> &source)
-      : sources({source})
-      , bodies({source}, {}, sources)
-    {
-    }
-
-    void
-    set_time(const double time)
-    {
-      sources.set_time(time);
-      bodies.set_time(time);
-    }
-
-    ExternalField<dim> sources;
-    RigidBodies<dim> bodies;
-  };
+    return in_plane + (dim == 3 ? "; 1" : "");
+  }
 
   template <int dim>
   void
@@ -196,9 +185,9 @@ TEMPLATE_TEST_CASE_SIG("a solid magnet holds the nodes inside it",
   node[0] += 2;
   const Vector<dim> out = some_velocity<dim>(), in = some_velocity<dim>(-1.);
   const auto constrained = [&](const ContactCondition contact, const Vector<dim> &velocity) {
-    const Magnets<dim> magnets(ball<dim>(contact));
+    const RigidBodies<dim> magnets({ball<dim>(contact, middle<dim>())});
     return LatticeBoundary<dim>(
-             test_lattice<dim>(), all_walls<dim>(WallCondition::stick), magnets.bodies.all())
+             test_lattice<dim>(), all_walls<dim>(WallCondition::stick), magnets.all())
       .constrained(node, velocity);
   };
   const auto without_x = [](Vector<dim> velocity) {
@@ -225,9 +214,10 @@ TEMPLATE_TEST_CASE_SIG("a moving magnet takes along the nodes inside it",
   // 1.5 m, the node is free.
   Index<dim> node = middle_node<dim>();
   node[0] += 2;
-  Magnets<dim> magnets(ball<dim>(ContactCondition::separate, true));
+  const std::string path = middle<dim>("0 + 3*t; 0.5 - 2*t");
+  RigidBodies<dim> magnets({ball<dim>(ContactCondition::separate, path)});
   LatticeBoundary<dim> separate(
-    test_lattice<dim>(), all_walls<dim>(WallCondition::stick), magnets.bodies.all());
+    test_lattice<dim>(), all_walls<dim>(WallCondition::stick), magnets.all());
   Vector<dim> slower = some_velocity<dim>(), faster = slower;
   slower[0]          = 1.;
   faster[0]          = 4.;
@@ -238,9 +228,9 @@ TEMPLATE_TEST_CASE_SIG("a moving magnet takes along the nodes inside it",
   CHECK(norm(separate.constrained(node, faster) - faster) < 1e-8);
   CHECK(separate.max_speed() == Approx(std::sqrt(13.)).epsilon(1e-8));
 
-  const Magnets<dim> sticky(ball<dim>(ContactCondition::stick, true));
+  const RigidBodies<dim> sticky({ball<dim>(ContactCondition::stick, path)});
   LatticeBoundary<dim> stick(
-    test_lattice<dim>(), all_walls<dim>(WallCondition::stick), sticky.bodies.all());
+    test_lattice<dim>(), all_walls<dim>(WallCondition::stick), sticky.all());
   Vector<dim> of_ball;
   of_ball[0] = 3.;
   of_ball[1] = -2.;
@@ -255,11 +245,9 @@ TEST_CASE("a node in the centre of a magnet follows it, and one at its surface i
 {
   // In the very centre any direction may count as outward, here +x: the
   // result must not be 0/0. Nodes at a distance of the radius or more do not belong to the ball.
-  SourceParameters<2> source = ball<2>(ContactCondition::slip);
-  source.radius              = 0.5;
-  const Magnets<2> magnets(source);
+  const RigidBodies<2> magnets({ball<2>(ContactCondition::slip, middle<2>(), 0.5)});
   const LatticeBoundary<2> boundary(
-    test_lattice<2>(), all_walls<2>(WallCondition::slip), magnets.bodies.all());
+    test_lattice<2>(), all_walls<2>(WallCondition::slip), magnets.all());
   check_velocity<2>(boundary.constrained({4, 4}, {{1., 2.}}), {{0., 2.}});
   check_velocity<2>(boundary.constrained({5, 4}, {{1., 2.}}), {{0., 2.}});
   check_velocity<2>(boundary.constrained({6, 4}, {{1., 2.}}), {{1., 2.}});
@@ -269,11 +257,9 @@ TEST_CASE("a magnet cannot push a node through a wall", "[boundary]")
 {
   // A ball that moves towards the lower wall has taken a node on that wall in. The wall has the last
   // word: the node may slide, but not leave the box.
-  SourceParameters<2> source = ball<2>(ContactCondition::stick);
-  source.position            = "0; -0.4 - t";
-  const Magnets<2> magnets(source);
+  const RigidBodies<2> magnets({ball<2>(ContactCondition::stick, "0; -0.4 - t")});
   const LatticeBoundary<2> boundary(
-    test_lattice<2>(), all_walls<2>(WallCondition::slip), magnets.bodies.all());
+    test_lattice<2>(), all_walls<2>(WallCondition::slip), magnets.all());
   const Vector<2> velocity = boundary.constrained({4, 0}, {{0.3, 0.7}});
   CHECK(std::abs(velocity[0]) < 1e-8);
   CHECK(velocity[1] == 0.);

@@ -9,14 +9,12 @@ namespace
 {
   template <int dim>
   SourceParameters<dim>
-  dipole(const std::string &name, const std::string &position, const std::string &moment)
+  dipole(const std::string &name, const Vector<dim> &position, const Vector<dim> &moment)
   {
     SourceParameters<dim> source;
-    source.name     = name;
-    source.type     = SourceType::point_dipole;
-    source.position = position;
-    source.moment   = moment;
-    source.radius   = 0.01;
+    source.name = name;
+    source.kind = PointDipoleParameters<dim>{moment, 0.01};
+    source.pose = Pose<dim>{position};
     return source;
   }
 } // namespace
@@ -27,14 +25,15 @@ TEST_CASE("material acts on a magnet as the dipoles that it is made of", "[magne
   // is what two point dipoles of these moments at these places do to it, force and torque: a field that
   // is known apart from the one of the source, which the reaction is computed from. A uniform field gets
   // nothing.
-  const ExternalField<3> sources({dipole<3>("one", "0.1; 0.2; 0.3", "1; -2; 0.5"),
-                                  dipole<3>("other", "0.5; 0.1; 0.2", "0.3; 0.7; -0.4"),
-                                  [] {
-                                    SourceParameters<3> field;
-                                    field.name  = "field";
-                                    field.field = "1e4; 0; 0";
-                                    return field;
-                                  }()});
+  const ExternalField<3> sources(
+    {dipole<3>("one", {{0.1, 0.2, 0.3}}, {{1., -2., 0.5}}),
+     dipole<3>("other", {{0.5, 0.1, 0.2}}, {{0.3, 0.7, -0.4}}),
+     [] {
+       SourceParameters<3> field;
+       field.name = "field";
+       field.kind = UniformFieldParameters<3>{Vector<3>{{1e4, 0., 0.}}};
+       return field;
+     }()});
   std::vector<MaterialSample<3>> samples(2);
   samples[0].position      = {{0.3, 0.4, 0.1}};
   samples[0].weight        = 1e-6;
@@ -71,7 +70,7 @@ TEST_CASE("material acts on a magnet as the dipoles that it is made of", "[magne
 TEST_CASE("the reaction of material is per metre of depth in 2D", "[magnetics]")
 {
   // A point of material as a line dipole beside another: the same identity in the plane.
-  const ExternalField<2> sources({dipole<2>("one", "0.1; 0.2", "1; -2")});
+  const ExternalField<2> sources({dipole<2>("one", {{0.1, 0.2}}, {{1., -2.}})});
   std::vector<MaterialSample<2>> samples(1);
   samples[0].position      = {{0.3, 0.4}};
   samples[0].weight        = 1e-4;

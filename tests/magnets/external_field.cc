@@ -4,37 +4,15 @@
 #include <magmpm/magnets/make_source.h>
 
 #include "catch.h"
+#include "source_texts.h"
 
 #include <cmath>
 
 using namespace magmpm;
+using namespace magmpm::testing;
 
 namespace
 {
-  template <int dim>
-  SourceParameters<dim>
-  sphere_parameters()
-  {
-    SourceParameters<dim> parameters;
-    parameters.name          = "ball";
-    parameters.type          = SourceType::magnetized_sphere;
-    parameters.position      = dim == 3 ? "0.1; -0.2; 0.3" : "0.1; -0.2";
-    parameters.magnetization = dim == 3 ? "3e5; -1e6; 2e6" : "3e5; -1e6";
-    parameters.radius        = 0.05;
-    parameters.contact       = ContactCondition::slip;
-    return parameters;
-  }
-
-  template <int dim>
-  SourceParameters<dim>
-  uniform_parameters()
-  {
-    SourceParameters<dim> parameters;
-    parameters.name  = "coil";
-    parameters.field = dim == 3 ? "1e4; 2e4; -3e4" : "1e4; 2e4";
-    return parameters;
-  }
-
   template <int dim>
   Vector<dim>
   magnetization_of_sphere()
@@ -53,6 +31,29 @@ namespace
       return {{0.1, -0.2, 0.3}};
     else
       return {{0.1, -0.2}};
+  }
+
+  template <int dim>
+  SourceParameters<dim>
+  sphere_parameters(const TimeFunction<Vector<dim>> &magnetization = magnetization_of_sphere<dim>(),
+                    const double radius                            = 0.05)
+  {
+    SourceParameters<dim> parameters;
+    parameters.name     = "ball";
+    parameters.kind     = MagnetizedSphereParameters<dim>{magnetization, radius};
+    parameters.pose     = Pose<dim>{centre_of_sphere<dim>()};
+    parameters.is_solid = true;
+    return parameters;
+  }
+
+  template <int dim>
+  SourceParameters<dim>
+  uniform_parameters(const std::string &field = dim == 3 ? "1e4; 2e4; -3e4" : "1e4; 2e4")
+  {
+    SourceParameters<dim> parameters;
+    parameters.name = "coil";
+    parameters.kind = UniformFieldParameters<dim>{vector<dim>(field)};
+    return parameters;
   }
 
   /** Unit vectors all around. */
@@ -147,11 +148,10 @@ TEMPLATE_TEST_CASE_SIG("inside of a magnetized sphere the field is -M/3, of a cy
   // The demagnetizing factor of a sphere is 1/3 and of a cylinder across its axis 1/2; the field is
   // uniform, so its gradient is zero. At a point exactly on the surface, the outside counts: at the
   // pole, H = (dim-1)/dim M, which is the strength.
-  SourceParameters<dim> parameters = sphere_parameters<dim>();
-  parameters.position              = dim == 3 ? "0; 0; 0" : "0; 0";
-  parameters.magnetization         = dim == 3 ? "0; 2e6; 0" : "0; 2e6";
-  parameters.radius                = 0.5;
-  const auto sphere                = make_source(parameters);
+  SourceParameters<dim> parameters =
+    sphere_parameters<dim>(vector<dim>(dim == 3 ? "0; 2e6; 0" : "0; 2e6"), 0.5);
+  parameters.pose   = Pose<dim>();
+  const auto sphere = make_source(parameters);
 
   Vector<dim> point;
   CHECK(sphere->field(point)[1] == Approx(-2e6 / dim));
@@ -197,8 +197,8 @@ TEMPLATE_TEST_CASE_SIG("the external field is the sum of its sources",
   // the sources give one by one; the uniform one adds its value and no gradient.
   SourceParameters<dim> other = sphere_parameters<dim>();
   other.name                  = "other";
-  other.position              = dim == 3 ? "1; 1; 1" : "1; 1";
-  other.contact               = ContactCondition::none;
+  other.pose                  = at<dim>(dim == 3 ? "1; 1; 1" : "1; 1");
+  other.is_solid              = false;
   const ExternalField<dim> field({sphere_parameters<dim>(), uniform_parameters<dim>(), other});
   const auto first   = make_source(sphere_parameters<dim>());
   const auto last    = make_source(other);
@@ -223,7 +223,8 @@ TEMPLATE_TEST_CASE_SIG("the external field is the sum of its sources",
   CHECK(field.sources()[1]->name() == "coil");
   REQUIRE(field.solid_sources().size() == 1);
   CHECK(field.solid_sources()[0]->name() == "ball");
-  CHECK(field.solid_sources()[0]->contact() == ContactCondition::slip);
+  CHECK(field.solid_sources()[0]->is_solid());
+  CHECK(!field.sources()[2]->is_solid());
   CHECK(field.solid_sources()[0]->shape()->bounding_box().upper[0] == 0.05);
 }
 
@@ -232,17 +233,17 @@ TEST_CASE("a moving magnet takes its field along and knows its velocity", "[magn
   // A sphere on the line x = 0.1 + 2 t: at t = 0.25 s its field is that of a sphere at rest at 0.6,
   // and its velocity is 2 m/s.
   SourceParameters<3> moving  = sphere_parameters<3>();
-  moving.position             = "0.1 + 2*t; -0.2; 0.3";
+  moving.pose                 = at<3>("0.1 + 2*t; -0.2; 0.3");
   SourceParameters<3> at_rest = sphere_parameters<3>();
-  at_rest.position            = "0.6; -0.2; 0.3";
+  at_rest.pose                = at<3>("0.6; -0.2; 0.3");
 
   ExternalField<3> field({moving});
   const ExternalField<3> expected({at_rest});
   CHECK(field.solid_sources()[0]->pose().position[0] == Approx(0.1));
   field.set_time(0.25);
   CHECK(field.solid_sources()[0]->pose().position[0] == Approx(0.6));
-  CHECK(field.solid_sources()[0]->motion().velocity[0] == Approx(2.).epsilon(1e-9));
-  CHECK(norm(expected.solid_sources()[0]->motion().velocity) == 0.);
+  CHECK(motion_at(moving.pose, 0.25).velocity[0] == Approx(2.).epsilon(1e-9));
+  CHECK(norm(motion_at(at_rest.pose, 0.25).velocity) == 0.);
   const Vector<3> point = {{0.5, 0., 0.4}};
   CHECK(norm(field.field(point) - expected.field(point)) < 1e-14 * norm(expected.field(point)));
   CHECK(!field.is_constant());
@@ -253,10 +254,9 @@ TEST_CASE("an external field knows how much it changed since it was remembered",
 {
   // A field that grows by 1 % a second, and a magnet that moves 3 m/s and 4 m/s: after half a
   // second 0.005/1.005 of the strength, 2.5 m. What was never remembered changed without bounds.
-  SourceParameters<2> growing = uniform_parameters<2>();
-  growing.field               = "1e4*(1 + 0.01*t); 0";
-  SourceParameters<2> moving  = sphere_parameters<2>();
-  moving.position             = "3*t; 1 - 4*t";
+  const SourceParameters<2> growing = uniform_parameters<2>("1e4*(1 + 0.01*t); 0");
+  SourceParameters<2> moving        = sphere_parameters<2>();
+  moving.pose                       = at<2>("3*t; 1 - 4*t");
   ExternalField<2> field({growing, moving});
   CHECK(std::isinf(field.change_since_remembered().relative_strength));
   CHECK(std::isinf(field.change_since_remembered().displacement));
@@ -271,15 +271,11 @@ TEST_CASE("an external field knows how much it changed since it was remembered",
   CHECK(field.change_since_remembered().displacement == 0.);
 
   // A field that turns round at the same strength changes by twice itself, one switched on by all.
-  SourceParameters<2> turning = uniform_parameters<2>();
-  turning.field               = "1e4*cos(pi*t); 1e4*sin(pi*t)";
-  ExternalField<2> turned({turning});
+  ExternalField<2> turned({uniform_parameters<2>("1e4*cos(pi*t); 1e4*sin(pi*t)")});
   turned.remember();
   turned.set_time(1.);
   CHECK(turned.change_since_remembered().relative_strength == Approx(2.));
-  SourceParameters<2> starting = uniform_parameters<2>();
-  starting.field               = "0; t";
-  ExternalField<2> started({starting});
+  ExternalField<2> started({uniform_parameters<2>("0; t")});
   started.remember();
   started.set_time(1e-9);
   CHECK(started.change_since_remembered().relative_strength == 1.);
@@ -293,9 +289,8 @@ TEST_CASE("without sources, or with such that are zero for ever, there is no fie
   CHECK(ExternalField<3>({}).is_constant());
   CHECK(norm(ExternalField<3>({}).field({{1., 2., 3.}})) == 0.);
 
-  SourceParameters<3> obstacle = sphere_parameters<3>();
-  obstacle.magnetization       = "0; 0; 0";
-  obstacle.position            = "t; 0; 0";
+  SourceParameters<3> obstacle = sphere_parameters<3>(Vector<3>());
+  obstacle.pose                = at<3>("t; 0; 0");
   ExternalField<3> obstructed({obstacle});
   obstructed.remember();
   obstructed.set_time(1.);
@@ -304,30 +299,53 @@ TEST_CASE("without sources, or with such that are zero for ever, there is no fie
   CHECK(obstructed.change_since_remembered().displacement == 0.);
   CHECK(obstructed.solid_sources().size() == 1);
 
-  SourceParameters<3> growing = uniform_parameters<3>();
-  growing.field               = "0; 0; 1e5*t";
-  CHECK(!ExternalField<3>({growing}).is_absent());
+  CHECK(!ExternalField<3>({uniform_parameters<3>("0; 0; 1e5*t")}).is_absent());
   CHECK(!ExternalField<3>({sphere_parameters<3>()}).is_absent());
 }
 
 TEST_CASE("sources that make no sense are refused by name", "[magnets]")
 {
   // The wording, which users meet.
-  SourceParameters<3> flat = sphere_parameters<3>();
-  flat.radius              = -0.1;
-  CHECK_THROWS_WITH(ExternalField<3>({flat}),
+  CHECK_THROWS_WITH(ExternalField<3>({sphere_parameters<3>(Vector<3>(), -0.1)}),
                     "The radius of the magnetized sphere 'ball' is -0.1 m. Give a positive one.");
 
   SourceParameters<3> solid_field = uniform_parameters<3>();
-  solid_field.contact             = ContactCondition::stick;
+  solid_field.is_solid            = true;
   CHECK_THROWS_WITH(ExternalField<3>({solid_field}),
                     "Source 'coil' is a uniform field, which has no surface, but has a contact "
                     "condition. Set it to none.");
+  CHECK_THROWS_AS(ExternalField<3>({solid_field}), InputError);
+}
 
-  SourceParameters<3> short_field = uniform_parameters<3>();
-  short_field.field               = "1; 2";
-  CHECK_THROWS_WITH(
-    ExternalField<3>({short_field}),
-    Catch::Matchers::StartsWith("Field of source 'coil': '1; 2' has 2 components, not 3."));
-  CHECK_THROWS_AS(ExternalField<3>({short_field}), InputError);
+TEST_CASE("the revision of a source tells whether it has changed", "[magnets]")
+{
+  // One that stays as it is keeps its number, whatever the time; another position, rotation or strength
+  // gives another one. What is put where it is already has not changed.
+  SourceParameters<3> steady = sphere_parameters<3>(), moving = steady, turning = steady,
+                      growing = steady;
+  moving.pose                 = at<3>("t; 0; 0");
+  turning.pose                = at<3>("0; 0; 0", "0; 0; t");
+  growing.strength            = number("1 + t");
+  ExternalField<3> field({steady, moving, turning, growing, uniform_parameters<3>("0; 0; t")});
+  const auto revisions = [&] {
+    std::vector<unsigned long> result;
+    for (const auto *source : field.sources())
+      result.push_back(source->revision());
+    return result;
+  };
+  const auto at_start = revisions();
+  field.set_time(0.);
+  CHECK(revisions() == at_start);
+  field.set_time(1.);
+  const auto later = revisions();
+  CHECK(later[0] == at_start[0]);
+  for (int s = 1; s < 5; ++s)
+    CHECK(later[s] != at_start[s]);
+  field.set_time(1.);
+  CHECK(revisions() == later);
+
+  field.set_pose(0, field.sources()[0]->pose());
+  CHECK(revisions() == later);
+  field.set_pose(0, Pose<3>{{{0., 1e-9, 0.}}});
+  CHECK(revisions()[0] != later[0]);
 }

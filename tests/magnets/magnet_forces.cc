@@ -7,6 +7,7 @@
 
 #include "field_checks.h"
 #include "geometry/test_meshes.h"
+#include "source_texts.h"
 
 using namespace magmpm;
 using namespace magmpm::testing;
@@ -16,21 +17,62 @@ namespace
   constexpr double pi = constants::pi, mu_0 = constants::vacuum_permeability;
 
   template <int dim>
-  SourceParameters<dim>
-  source(const SourceType type, const std::string &name)
+  TimeFunction<Vector<dim>>
+  magnetization()
   {
-    SourceParameters<dim> parameters;
-    parameters.type             = type;
-    parameters.name             = name;
-    parameters.radius           = 0.02;
-    parameters.length           = 0.05;
-    parameters.conductor_radius = 0.001;
+    return vector<dim>(dim == 3 ? "3e5; -5e5; 8e5" : "3e5; -5e5");
+  }
+
+  template <int dim>
+  PointDipoleParameters<dim>
+  point_dipole()
+  {
+    return {vector<dim>(dim == 3 ? "3; -5; 8" : "30; -50"), 0.02};
+  }
+
+  template <int dim>
+  MagnetizedSphereParameters<dim>
+  sphere()
+  {
+    return {magnetization<dim>(), 0.02};
+  }
+
+  template <int dim>
+  CuboidParameters<dim>
+  cuboid()
+  {
+    CuboidParameters<dim> parameters = {magnetization<dim>(), {}};
     for (int d = 0; d < dim; ++d)
       parameters.size[d] = 0.03 + 0.01 * d;
-    parameters.magnetization = dim == 3 ? "3e5; -5e5; 8e5" : "3e5; -5e5";
-    parameters.moment        = dim == 3 ? "3; -5; 8" : "30; -50";
-    parameters.current       = "2e4";
-    parameters.position      = dim == 3 ? "0; 0; 0" : "0; 0";
+    return parameters;
+  }
+
+  CylinderParameters
+  cylinder(const Vector<3> &axis = {})
+  {
+    return {magnetization<3>(), 0.02, 0.05, axis};
+  }
+
+  CurrentLoopParameters
+  loop(const Vector<3> &axis = {})
+  {
+    return {2e4, 0.02, 0.001, axis};
+  }
+
+  template <int dim>
+  StraightWireParameters<dim>
+  wire(const double length)
+  {
+    return {2e4, 0.001, length, {}};
+  }
+
+  template <int dim>
+  SourceParameters<dim>
+  source(const SourceKind<dim> &kind, const std::string &name)
+  {
+    SourceParameters<dim> parameters;
+    parameters.name = name;
+    parameters.kind = kind;
     return parameters;
   }
 
@@ -61,11 +103,10 @@ TEST_CASE("the force between two dipoles is the known one", "[magnets]")
   // F on the second one, r from the first to it, distance r, n = r/r (Yung et al., Magn. Electr. Sep. 9,
   // 39 (1998)): 3 mu_0/(4 pi r^4) [(m1.n) m2 + (m2.n) m1 + (m1.m2) n - 5 (m1.n)(m2.n) n], and the
   // torque mu_0 m2 x H1. One of them is turned by its rotation.
-  SourceParameters<3> first = source<3>(SourceType::point_dipole, "first"), second = first;
-  second.name     = "second";
-  second.moment   = "0; 0; 4";
-  second.rotation = "pi/2; 0; 0"; // z to -y
-  second.position = "0.2; 0.1; -0.1";
+  const SourceParameters<3> first = source<3>(point_dipole<3>(), "first");
+  SourceParameters<3> second      = source<3>(PointDipoleParameters<3>{vector<3>("0; 0; 4"), 0.02},
+                                         "second");
+  second.pose                     = at<3>("0.2; 0.1; -0.1", "pi/2; 0; 0"); // z to -y
   const ExternalField<3> field({first, second});
   const Vector<3> m1 = {{3., -5., 8.}}, m2 = {{0., -4., 0.}}, r = {{0.2, 0.1, -0.1}};
   const double distance = norm(r);
@@ -80,11 +121,10 @@ TEST_CASE("the force between two dipoles is the known one", "[magnets]")
   CHECK(norm(action->torque - torque) < 1e-12 * norm(torque));
 
   // A sphere acts and is acted on as the dipole of its moment.
-  SourceParameters<3> sphere = source<3>(SourceType::magnetized_sphere, "second");
-  sphere.position            = second.position;
-  sphere.magnetization       = "0; 0; " + std::to_string(4. / (4. / 3. * pi * 8e-6));
-  sphere.rotation            = second.rotation;
-  const ExternalField<3> other({first, sphere});
+  const Vector<3> of_moment = {{0., 0., 4. / (4. / 3. * pi * 8e-6)}};
+  SourceParameters<3> ball  = source<3>(MagnetizedSphereParameters<3>{of_moment, 0.02}, "second");
+  ball.pose                 = second.pose;
+  const ExternalField<3> other({first, ball});
   CHECK(norm(other.force_and_torque(*other.sources()[1])->force - force) < 1e-7 * norm(force));
 }
 
@@ -92,23 +132,21 @@ TEST_CASE("a uniform field turns a magnet and does not push it", "[magnets]")
 {
   // T = mu_0 m x H and F = 0, for each kind: also for a loop, m = I pi R^2 along its axis. The field
   // itself has no place, and nothing acts on it.
-  SourceParameters<3> uniform = source<3>(SourceType::uniform_field, "coil");
-  uniform.field               = "1e5; 2e5; -3e5";
   const Vector<3> H = {{1e5, 2e5, -3e5}}, m = {{3e5, -5e5, 8e5}};
+  const SourceParameters<3> uniform = source<3>(UniformFieldParameters<3>{H}, "coil");
   const struct
   {
-    SourceType type;
+    SourceKind<3> parameters;
     Vector<3> moment;
-  } kinds[] = {{SourceType::magnetized_sphere, 4. / 3. * pi * 8e-6 * m},
-               {SourceType::cuboid, 0.03 * 0.04 * 0.05 * m},
-               {SourceType::cylinder, pi * 4e-4 * 0.05 * m},
-               {SourceType::point_dipole, {{3., -5., 8.}}},
-               {SourceType::current_loop, {{0., 0., 2e4 * pi * 4e-4}}}};
+  } kinds[] = {{sphere<3>(), 4. / 3. * pi * 8e-6 * m},
+               {cuboid<3>(), 0.03 * 0.04 * 0.05 * m},
+               {cylinder(), pi * 4e-4 * 0.05 * m},
+               {point_dipole<3>(), {{3., -5., 8.}}},
+               {loop(), {{0., 0., 2e4 * pi * 4e-4}}}};
   for (const auto &kind : kinds)
     {
-      SourceParameters<3> magnet = source<3>(kind.type, "magnet");
-      magnet.position            = "0.3; 0.1; 0.7";
-      magnet.rotation            = "0; 0; pi/2";
+      SourceParameters<3> magnet = source<3>(kind.parameters, "magnet");
+      magnet.pose                = at<3>("0.3; 0.1; 0.7", "0; 0; pi/2");
       const ExternalField<3> field({uniform, magnet});
       CHECK(!field.force_and_torque(*field.sources()[0]));
       const auto action = field.force_and_torque(*field.sources()[1]);
@@ -125,45 +163,39 @@ TEST_CASE("magnets of different kinds obey the third law, torque included", "[ma
   // The force and the torque about one point on either of two magnets are opposite. Each is a sum over
   // the points of one magnet of the exact field of the other, so both rules must be right. The margins
   // are those of 5 Gauss points at a gap of about a magnet's size.
-  SourceParameters<3> cuboid       = source<3>(SourceType::cuboid, "cuboid");
-  cuboid.position                  = "0.02; 0.07; 0.03";
-  cuboid.rotation                  = "0.5; -0.7; 0.3";
-  SourceParameters<3> cylinder     = source<3>(SourceType::cylinder, "cylinder");
-  cylinder.axis                    = {{1., 1., 0.}};
-  const SourceParameters<3> loop   = source<3>(SourceType::current_loop, "loop");
-  const SourceParameters<3> dipole = source<3>(SourceType::point_dipole, "dipole");
-  CHECK(imbalance(cylinder, cuboid) < 1e-4);
-  CHECK(imbalance(loop, cuboid) < 1e-4);
-  CHECK(imbalance(dipole, cuboid) < 1e-4);
+  SourceParameters<3> bar          = source<3>(cuboid<3>(), "cuboid");
+  bar.pose                         = at<3>("0.02; 0.07; 0.03", "0.5; -0.7; 0.3");
+  const SourceParameters<3> rod    = source<3>(cylinder({{1., 1., 0.}}), "cylinder");
+  const SourceParameters<3> coil   = source<3>(loop(), "loop");
+  const SourceParameters<3> dipole = source<3>(point_dipole<3>(), "dipole");
+  CHECK(imbalance(rod, bar) < 1e-4);
+  CHECK(imbalance(coil, bar) < 1e-4);
+  CHECK(imbalance(dipole, bar) < 1e-4);
 
-  SourceParameters<3> second_loop = loop;
-  second_loop.name                = "second";
-  second_loop.position            = "0.01; 0.03; 0.03";
-  second_loop.axis                = {{1., 0., 2.}};
-  CHECK(imbalance(loop, second_loop) < 1e-8);
+  SourceParameters<3> second_coil = source<3>(loop({{1., 0., 2.}}), "second");
+  second_coil.pose                = at<3>("0.01; 0.03; 0.03");
+  CHECK(imbalance(coil, second_coil) < 1e-8);
 
-  SourceParameters<2> rectangle = source<2>(SourceType::cuboid, "rectangle");
-  rectangle.position            = "0.02; 0.07";
-  rectangle.rotation            = "0.4";
-  CHECK(imbalance(rectangle, source<2>(SourceType::magnetized_sphere, "sphere")) < 1e-4);
-  CHECK(imbalance(rectangle, source<2>(SourceType::straight_wire, "wire")) < 1e-4);
+  SourceParameters<2> rectangle = source<2>(cuboid<2>(), "rectangle");
+  rectangle.pose                = at<2>("0.02; 0.07", "0.4");
+  CHECK(imbalance(rectangle, source<2>(sphere<2>(), "sphere")) < 1e-4);
+  CHECK(imbalance(rectangle, source<2>(wire<2>(0.), "wire")) < 1e-4);
 }
 
 TEST_CASE("parallel wires attract, and one without ends has no force in space", "[magnets]")
 {
   // mu_0 I1 I2/(2 pi d) per metre, towards each other for the same direction (Ampere).
-  SourceParameters<2> first = source<2>(SourceType::straight_wire, "first"), second = first;
-  second.name     = "second";
-  second.position = "0.1; 0";
+  const SourceParameters<2> first = source<2>(wire<2>(0.), "first");
+  SourceParameters<2> second      = source<2>(wire<2>(0.), "second");
+  second.pose                     = at<2>("0.1; 0");
   const ExternalField<2> pair({first, second});
   const auto action = pair.force_and_torque(*pair.sources()[1]);
   CHECK(action->force[0] == Approx(-mu_0 * 4e8 / (2. * pi * 0.1)).epsilon(1e-13));
   CHECK(std::abs(action->force[1]) < 1e-12 * std::abs(action->force[0]));
 
-  SourceParameters<3> endless = source<3>(SourceType::straight_wire, "endless");
-  endless.length              = 0.;
-  SourceParameters<3> piece   = source<3>(SourceType::straight_wire, "piece");
-  piece.position              = "0.1; 0; 0";
+  const SourceParameters<3> endless = source<3>(wire<3>(0.), "endless");
+  SourceParameters<3> piece         = source<3>(wire<3>(0.05), "piece");
+  piece.pose                        = at<3>("0.1; 0; 0");
   const ExternalField<3> spatial({endless, piece});
   CHECK(!spatial.force_and_torque(*spatial.sources()[0]));
   CHECK(spatial.force_and_torque(*spatial.sources()[1])->force[0] ==

@@ -5,8 +5,10 @@
 #include <magmpm/magnets/cuboid.h>
 #include <magmpm/magnets/external_field.h>
 #include <magmpm/magnets/make_source.h>
+#include <magmpm/motion/key_frames.h>
 
 #include "field_checks.h"
+#include "source_texts.h"
 
 using namespace magmpm;
 using namespace magmpm::testing;
@@ -14,27 +16,21 @@ using namespace magmpm::testing;
 namespace
 {
   SourceParameters<3>
-  cuboid_parameters()
+  cuboid_parameters(const std::string &magnetization = "3e5; -5e5; 8e5")
   {
     SourceParameters<3> parameters;
-    parameters.name          = "bar";
-    parameters.type          = SourceType::cuboid;
-    parameters.size          = {{0.2, 0.1, 0.4}};
-    parameters.position      = "0.5; -0.2; 0.3";
-    parameters.magnetization = "3e5; -5e5; 8e5";
+    parameters.name = "bar";
+    parameters.kind = CuboidParameters<3>{vector<3>(magnetization), {{0.2, 0.1, 0.4}}};
+    parameters.pose = at<3>("0.5; -0.2; 0.3");
     return parameters;
   }
 
   SourceParameters<3>
-  loop_parameters()
+  loop_parameters(const Vector<3> &axis = {})
   {
     SourceParameters<3> parameters;
-    parameters.name             = "coil";
-    parameters.type             = SourceType::current_loop;
-    parameters.current          = "100";
-    parameters.position         = "0; 0; 0";
-    parameters.radius           = 0.1;
-    parameters.conductor_radius = 0.01;
+    parameters.name = "coil";
+    parameters.kind = CurrentLoopParameters{100., 0.1, 0.01, axis};
     return parameters;
   }
 } // namespace
@@ -44,7 +40,7 @@ TEST_CASE("a turned magnet takes its frame along", "[magnets]")
   // A quarter turn about z: what is along x of the magnet is along y of the world. Field, gradient,
   // magnetization and shape are those of the magnet at rest, at the point turned back, turned.
   SourceParameters<3> parameters = cuboid_parameters();
-  parameters.rotation            = "0; 0; pi/2";
+  parameters.pose                = at<3>("0.5; -0.2; 0.3", "0; 0; pi/2");
   const auto bar                 = make_source(parameters);
   const Cuboid<3> at_rest(Vector<3>{{0.2, 0.1, 0.4}});
   const Vector<3> m = {{3e5, -5e5, 8e5}}, own = {{0.15, 0.02, 0.07}};
@@ -68,13 +64,11 @@ TEST_CASE("B goes through the surface of a magnet", "[magnets]")
   // mu_0 (H + M) along the normal has no jump: the magnetization is found where the field is that of the
   // inside, for every kind that has one.
   SourceParameters<3> cuboid = cuboid_parameters();
-  cuboid.position            = "0; 0; 0"; // so that points of the surface are exactly there
+  cuboid.pose                = Pose<3>(); // so that points of the surface are exactly there
   SourceParameters<3> sphere = cuboid, cylinder = cuboid;
-  sphere.type     = SourceType::magnetized_sphere;
-  sphere.radius   = 0.1;
-  cylinder.type   = SourceType::cylinder;
-  cylinder.radius = 0.1;
-  cylinder.length = 0.3;
+  const Vector<3> m = {{3e5, -5e5, 8e5}};
+  sphere.kind       = MagnetizedSphereParameters<3>{m, 0.1};
+  cylinder.kind     = CylinderParameters{m, 0.1, 0.3, {}};
   for (const SourceParameters<3> &parameters : {cuboid, sphere, cylinder})
     {
       const auto magnet = make_source(parameters);
@@ -90,15 +84,12 @@ TEST_CASE("B goes through the surface of a magnet", "[magnets]")
     }
 }
 
-// A remanence of mu_0 1e6 A/m in tesla is the magnetization that the bar has by its other
-// parameter.
-TEST_CASE("remanence is mu_0 times the magnetization", "[magnets]")
+// The magnetization is that of the bar as long as the factor is 1, and nothing where it is 0.
+TEST_CASE("the strength of a source is a factor that may change in time", "[magnets]")
 {
-  SourceParameters<3> parameters = cuboid_parameters();
+  SourceParameters<3> parameters = cuboid_parameters("0; 0; 1e6");
   const auto bar                 = make_source(parameters);
-  parameters.magnetization       = "";
-  parameters.remanence           = "0; 0; 1.25663706212";
-  parameters.strength            = "if(t < 1, 1, 0)";
+  parameters.strength            = number("if(t < 1, 1, 0)");
   const auto other               = make_source(parameters);
   const Vector<3> middle         = bar->pose().position;
   CHECK(other->magnetization(middle)[2] == Approx(1e6));
@@ -111,20 +102,14 @@ TEST_CASE("a cylinder, a loop and a wire lie along their axis", "[magnets]")
 {
   // A loop about x has its field on the axis along x, I R^2/(2 (R^2 + x^2)^(3/2)); one about -z the
   // opposite one of z. A magnetization is in the source's frame, of which the axis is one direction.
-  SourceParameters<3> parameters = loop_parameters();
-  parameters.axis                = {{3., 0., 0.}};
-  const Vector<3> H              = make_source(parameters)->field({{0.2, 0., 0.}});
+  const Vector<3> H = make_source(loop_parameters({{3., 0., 0.}}))->field({{0.2, 0., 0.}});
   CHECK(H[0] == Approx(100. * 0.01 / (2. * std::pow(0.05, 1.5))));
   CHECK(std::hypot(H[1], H[2]) < 1e-12 * H[0]);
-  parameters.axis = {{0., 0., -1.}};
-  CHECK(make_source(parameters)->field({{0., 0., 0.2}})[2] == Approx(-H[0]));
+  CHECK(make_source(loop_parameters({{0., 0., -1.}}))->field({{0., 0., 0.2}})[2] == Approx(-H[0]));
 
   SourceParameters<3> cylinder = cuboid_parameters();
-  cylinder.type                = SourceType::cylinder;
-  cylinder.radius              = 0.05;
-  cylinder.length              = 500.;
-  cylinder.axis                = {{1., 0., 0.}};
-  cylinder.magnetization       = "1e6; 0; 0";
+  const Vector<3> x            = {{1., 0., 0.}};
+  cylinder.kind                = CylinderParameters{1e6 * x, 0.05, 500., x};
   const auto rod               = make_source(cylinder);
   CHECK(norm(rod->field({{3., -0.2, 0.31}})) < 1.);
   CHECK(rod->magnetization({{3., -0.2, 0.31}})[0] == Approx(1e6));
@@ -136,9 +121,8 @@ TEST_CASE("a change of the external field counts rotations", "[magnets]")
 {
   // By the angle a the vector of a strength changes by 2 sin(a/2) of itself. A bar that turns about its
   // own magnetization changes its field though that does not; a sphere or a loop about its axis nothing.
-  SourceParameters<3> parameters = cuboid_parameters();
-  parameters.magnetization       = "0; 0; 1e6";
-  parameters.rotation            = "0; 0; t";
+  SourceParameters<3> parameters = cuboid_parameters("0; 0; 1e6");
+  parameters.pose                = at<3>("0.5; -0.2; 0.3", "0; 0; t");
   const auto change              = [](const SourceParameters<3> &source, const double time) {
     ExternalField<3> field({source});
     field.remember();
@@ -150,18 +134,17 @@ TEST_CASE("a change of the external field counts rotations", "[magnets]")
   const double reach = norm(Vector<3>{{0.1, 0.05, 0.2}});
   CHECK(change(parameters, 0.1).displacement == Approx(2. * std::sin(0.05) * reach));
 
-  parameters.type   = SourceType::magnetized_sphere;
-  parameters.radius = 0.1;
+  parameters.kind = MagnetizedSphereParameters<3>{Vector<3>{{0., 0., 1e6}}, 0.1};
   CHECK(change(parameters, 0.1).relative_strength < 1e-12);
   CHECK(change(parameters, 0.1).displacement < 1e-12);
-  parameters.rotation = "t; 0; 0";
+  parameters.pose = at<3>("0.5; -0.2; 0.3", "t; 0; 0");
   CHECK(change(parameters, 0.1).relative_strength == Approx(2. * std::sin(0.05)));
   CHECK(change(parameters, 0.1).displacement < 1e-12);
 
   SourceParameters<3> loop = loop_parameters();
-  loop.rotation            = "0; 0; t";
+  loop.pose                = at<3>("0; 0; 0", "0; 0; t");
   CHECK(change(loop, 1.).relative_strength < 1e-12);
-  loop.rotation = "t; 0; 0";
+  loop.pose = at<3>("0; 0; 0", "t; 0; 0");
   CHECK(change(loop, 0.1).displacement == Approx(2. * std::sin(0.05) * 0.1));
 }
 
@@ -170,20 +153,17 @@ TEST_CASE("a source put somewhere from outside stays there", "[magnets]")
   // From then on its script moves it no more, but still sets its strength, and its field may change.
   SourceParameters<3> parameters = cuboid_parameters();
   CHECK(make_source(parameters)->is_constant());
-  parameters.strength = "1 + t";
+  parameters.strength = number("1 + t");
   const auto bar      = make_source(parameters);
   Pose<3> pose;
   pose.position = {{1., 2., 3.}};
-  RigidMotion<3> motion;
-  motion.velocity = {{4., 5., 6.}};
-  bar->set_pose(pose, motion);
+  bar->set_pose(pose);
   bar->set_time(1.);
   CHECK(bar->pose().position[1] == 2.);
-  CHECK(bar->motion().velocity[2] == 6.);
   CHECK(bar->magnetization(pose.position)[0] == Approx(6e5));
-  parameters.strength = "";
+  parameters.strength = 1.;
   const auto steady   = make_source(parameters);
-  steady->set_pose(pose, motion);
+  steady->set_pose(pose);
   CHECK(!steady->is_constant());
 }
 
@@ -192,10 +172,12 @@ TEST_CASE("a source put somewhere from outside stays there", "[magnets]")
 TEST_CASE("key frames that do nothing leave the field constant", "[magnets]")
 {
   SourceParameters<3> parameters = cuboid_parameters();
-  parameters.position            = "";
-  parameters.key_frames          = "0, 0.5, -0.2, 0.3; 1, 0.5, -0.2, 0.3";
+  const auto key_frames          = [](const std::string &table) {
+    return read_key_frames<3>(table, KeyFrameInterpolation::linear, "test").pose;
+  };
+  parameters.pose = key_frames("0, 0.5, -0.2, 0.3; 1, 0.5, -0.2, 0.3");
   CHECK(make_source(parameters)->is_constant());
-  parameters.key_frames = "0, 0.5, -0.2, 0.3; 1, 0.5, -0.2, 0.4";
+  parameters.pose = key_frames("0, 0.5, -0.2, 0.3; 1, 0.5, -0.2, 0.4");
   CHECK(!make_source(parameters)->is_constant());
 }
 
@@ -204,9 +186,9 @@ TEST_CASE("a solid magnet of any shape keeps material out, a dipole's core refus
   // The turned bar of above, solid: is_solid() by its shape and pose. In the core of a dipole material
   // ends the run, with a message that names the dipole and the place.
   SourceParameters<3> parameters = cuboid_parameters();
-  parameters.rotation            = "0; 0; pi/2";
+  parameters.pose                = at<3>("0.5; -0.2; 0.3", "0; 0; pi/2");
   CHECK(!ExternalField<3>({parameters}).is_solid({{0.5, -0.11, 0.3}}));
-  parameters.contact = ContactCondition::slip;
+  parameters.is_solid = true;
   const ExternalField<3> solid({parameters});
   CHECK(solid.is_solid({{0.5, -0.11, 0.3}}));
   CHECK(!solid.is_solid({{0.59, -0.2, 0.3}}));
@@ -214,9 +196,7 @@ TEST_CASE("a solid magnet of any shape keeps material out, a dipole's core refus
 
   SourceParameters<3> dipole = cuboid_parameters();
   dipole.name                = "point";
-  dipole.type                = SourceType::point_dipole;
-  dipole.moment              = "0; 0; 1";
-  dipole.radius              = 0.01;
+  dipole.kind                = PointDipoleParameters<3>{Vector<3>{{0., 0., 1.}}, 0.01};
   const ExternalField<3> field({dipole});
   CHECK_NOTHROW(field.check_material_at({{0.5, -0.2, 0.311}}));
   CHECK_THROWS_WITH(
@@ -225,7 +205,7 @@ TEST_CASE("a solid magnet of any shape keeps material out, a dipole's core refus
     "dipole 'point', where its field has no meaning. Keep them apart, make its Radius "
     "smaller, or take a magnetized sphere, which may be solid (Contact).");
   CHECK_THROWS_AS(field.check_material_at({{0.5, -0.2, 0.309}}), RunError);
-  dipole.contact = ContactCondition::slip;
+  dipole.is_solid = true;
   CHECK_THROWS_WITH(make_source(dipole),
                     "Source 'point' has no surface, but has a contact condition. Set it to none.");
 }

@@ -576,6 +576,10 @@ TEST_CASE("a rigid body that is not what it should be", "[parameters]")
              Catch::Contains("outside of the box"));
   CHECK_THAT(message_on(with_raft("set Motion = scripted\nset Position = 0.5; 0.5\n")),
              Catch::Contains("has 2 components, not 3"));
+  CHECK_THAT(message_on(with_raft("set Motion = scripted\nset Key frames = 0, 0.5, 0.5\n")),
+             Catch::Contains("Rigid bodies/raft/Key frames: the row '0, 0.5, 0.5' has 3 numbers."));
+  CHECK_THAT(message_on(with_raft("set Motion = scripted\nset Key frames = nowhere.csv\n")),
+             Catch::Contains("Rigid bodies/raft/Key frames = nowhere.csv: there is no such file"));
 }
 
 TEST_CASE("a free magnet that cannot be one", "[parameters]")

@@ -119,9 +119,10 @@ TEST_CASE("A parameter file fills the parameters of all rooms", "[parameters]")
   CHECK(scene.material_of(scene.bodies[1]).viscosity == 0.1);
 
   REQUIRE(scene.sources.size() == 1);
-  CHECK(scene.sources[0].type == SourceType::magnetized_sphere);
-  CHECK(scene.sources[0].position == "0.4; 0.4; 0.1 - 0.1*t");
-  CHECK(scene.sources[0].contact == ContactCondition::slip);
+  CHECK(std::holds_alternative<MagnetizedSphereParameters<3>>(scene.sources[0].kind));
+  CHECK(norm(scene.sources[0].pose(2.).position - Vector<3>{{0.4, 0.4, -0.1}}) < 1e-15);
+  CHECK(scene.sources[0].is_solid);
+  CHECK(scene.magnet_bodies[0].contact.condition == ContactCondition::slip);
 }
 
 // Either way of giving moduli and magnetization ends in the same numbers. E = 1e6 Pa and nu = 1/4
@@ -157,6 +158,15 @@ TEST_CASE("Materials may be given in either way", "[parameters]")
   CHECK(second.shear_modulus == 4e5);
   CHECK(second.lame_lambda == 4e5);
   CHECK(second.magnetic.number_density == Approx(density).epsilon(1e-12));
+}
+
+TEST_CASE("remanence is mu_0 times the magnetization", "[parameters]")
+{
+  const Parameters<3> scene = read<3>(
+    cube_text, {"Magnets/magnet/Magnetization=", "Magnets/magnet/Remanence=0; 0; 1.25663706212*t"});
+  const auto &sphere = std::get<MagnetizedSphereParameters<3>>(scene.sources[0].kind);
+  CHECK(sphere.magnetization(1.)[2] == Approx(1e6));
+  CHECK(!sphere.magnetization.is_constant());
 }
 
 // The linear law needs no saturation, and a scene without magnetic material needs no potential.

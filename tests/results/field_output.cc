@@ -181,10 +181,8 @@ TEST_CASE("the written B counts the magnetization of magnets", "[results]")
   verification::SampledSetup<2> scene(24, spacing, 2., parameters);
   scene.set_bodies({verification::sphere<2>({{0.12, 0.12}}, 0.05, {1e5, chi})});
   SourceParameters<2> rectangle;
-  rectangle.type          = SourceType::cuboid;
-  rectangle.size          = {{0.06, 0.04}};
-  rectangle.position      = "0.12; 0.21";
-  rectangle.magnetization = "1e5; 2e5";
+  rectangle.kind = CuboidParameters<2>{Vector<2>{{1e5, 2e5}}, {{0.06, 0.04}}};
+  rectangle.pose = Pose<2>{{{0.12, 0.21}}};
   const ExternalField<2> sources({rectangle});
   scene.problem.solve(scene.content, sources);
   FieldOutput<2> output(MPI_COMM_WORLD, folder, {"H", "B"});

@@ -182,7 +182,7 @@ TEMPLATE_TEST_CASE_SIG("Solid magnets exclude material", "[surface][mpi]", ((int
   SourceParameters<dim> magnet = magnet_source<dim>(centre, 6. * spacing, magnetization);
   for (const bool is_solid : {true, false})
     {
-      magnet.contact = is_solid ? ContactCondition::slip : ContactCondition::none;
+      magnet.is_solid = is_solid;
       const Medium<dim> medium({body}, 2, {}, {magnet});
       const double in_magnet = medium.integrate([&](const unsigned int point, const auto &x) {
         return norm(x - centre) < 6. * spacing ? medium.points->fraction(point) : 0.;

@@ -59,7 +59,7 @@ namespace magmpm::verification
       {
         SourceParameters<dim> source =
           magnet_source(sphere_centre + place, magnet_radius, magnetization);
-        source.contact = is_solid ? ContactCondition::slip : ContactCondition::none;
+        source.is_solid = is_solid;
         return ExternalField<dim>({source});
       }
 

@@ -2,8 +2,6 @@
 
 #include <magmpm/boundary/rigid_body.h>
 #include <magmpm/boundary/rigid_body_parameters.h>
-#include <magmpm/magnets/external_field.h>
-#include <magmpm/motion/pose_function.h>
 
 #include <optional>
 #include <string>
@@ -11,29 +9,49 @@
 
 namespace magmpm
 {
+  /** A rigid body of a scene, and what moves it if forces do not. */
+  template <int dim>
+  struct MovedBody
+  {
+    /** What a script says where it is. */
+    enum class Frame
+    {
+      body, ///< RigidBody::pose()
+      shape ///< RigidBody::pose_of_shape()
+    };
+
+    RigidBody<dim> body;
+    TimeFunction<Pose<dim>> script; ///< of a body that is not free
+    Frame frame = Frame::body;
+    std::optional<std::size_t> source; ///< the number of the magnet that it is, if it is one
+  };
+
   /**
-   * All rigid bodies of a scene: the magnets that are solid or free, then those of the section 'Rigid
-   * bodies'. A magnet that is not free goes where its source goes; a source that is free goes where
-   * its body goes. The same on all ranks.
+   * A body of @p shape, which lies at @p pose at the start; free, if its properties say so.
+   *
+   * @param shape  shared: copies of the body have the same.
    */
+  template <int dim>
+  RigidBody<dim>
+  make_rigid_body(const std::string &name,
+                  const std::shared_ptr<const Shape<dim>> &shape,
+                  const RigidBodyProperties<dim> &properties,
+                  const Pose<dim> &pose = {});
+
+  /** Those of the section 'Rigid bodies'. @throw InputError  if a shape cannot be made. */
+  template <int dim>
+  std::vector<MovedBody<dim>>
+  make_rigid_bodies(const std::vector<RigidBodyParameters<dim>> &parameters);
+
+  /** All rigid bodies of a scene and their poses, which nobody else has. The same on all ranks. */
   template <int dim>
   class RigidBodies
   {
   public:
-    /**
-     * The bodies at time zero.
-     *
-     * @param sources  made of @p source_parameters; must outlive this.
-     * @throw InputError  if a motion cannot be read.
-     */
-    RigidBodies(const std::vector<SourceParameters<dim>> &source_parameters,
-                const std::vector<RigidBodyParameters<dim>> &parameters,
-                const ExternalField<dim> &sources);
+    /** The bodies at time zero. */
+    explicit RigidBodies(const std::vector<MovedBody<dim>> &moved);
 
-    /**
-     * Moves scripted bodies to where they are at @p time [s], and magnets and their sources to each
-     * other. The sources must have been moved to that time.
-     */
+    /** Moves scripted bodies to where they are at @p time >= 0 [s]. */
     void
     set_time(const double time);
 
@@ -56,7 +74,7 @@ namespace magmpm
     bool
     any_magnet_is_free() const;
 
-    /** The source that body number @p body is, by its place in ExternalField::sources(). */
+    /** The magnet that body number @p body is, by its number among the sources. */
     std::optional<std::size_t>
     source_of(const std::size_t body) const
     {
@@ -67,31 +85,20 @@ namespace magmpm
     std::vector<double>
     record() const;
 
-    /** Takes what record() gave, or nothing if it is empty, and brings sources of free magnets there. */
+    /** Takes what record() gave, or nothing if it is empty. */
     void
     restore(const std::vector<double> &record);
 
   private:
-    /** What a body that is not free follows, or the source that follows it. */
+    /** MovedBody without the body. */
     struct Origin
     {
+      TimeFunction<Pose<dim>> script;
+      typename MovedBody<dim>::Frame frame;
       std::optional<std::size_t> source;
-      std::optional<TimeFunction<Pose<dim>>> script;
     };
 
-    void
-    add_source(const SourceParameters<dim> &parameters, const std::size_t source);
-
-    void
-    add_body(const RigidBodyParameters<dim> &parameters);
-
-    const ExternalField<dim> &sources;
     std::vector<RigidBody<dim>> bodies;
     std::vector<Origin> origins; ///< by body
   };
-
-  /** The mass of a body that fills @p shape [kg]: as given, or of its density [kg/m^3]. */
-  template <int dim>
-  double
-  mass_of(const Shape<dim> &shape, const double mass, const double density);
 } // namespace magmpm

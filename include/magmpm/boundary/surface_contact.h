@@ -1,13 +1,21 @@
 #pragma once
 
 #include <magmpm/base/tensor.h>
-#include <magmpm/magnets/source_parameters.h>
 
 #include <algorithm>
 #include <cmath>
 
 namespace magmpm
 {
+  /** What a surface does to the velocity of material that touches it. */
+  enum class ContactCondition
+  {
+    none, ///< there is no surface
+    stick,
+    slip,
+    separate
+  };
+
   /** What a surface does to material that touches it. */
   struct SurfaceContact
   {

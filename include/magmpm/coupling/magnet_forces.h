@@ -30,18 +30,12 @@ namespace magmpm
     swing_rate(const std::size_t source, const double inertia) const;
 
   private:
-    struct Snapshot
-    {
-      Vector<dim> strength;
-      Pose<dim> pose;
-    };
-
     /** Whether all sources are what they were when by_sources was found; remembers them if not. */
     bool
     is_known();
 
     const ExternalField<dim> &sources;
-    std::vector<Snapshot> remembered;
+    std::vector<unsigned long> known_revisions; ///< of the sources
     std::vector<ForceAndTorque<dim>> by_sources;
   };
 } // namespace magmpm

@@ -26,6 +26,7 @@ namespace magmpm
     WallParameters<dim> walls;
     Vector<dim> gravity; ///< [m/s^2]
     std::vector<SourceParameters<dim>> sources;
+    std::vector<RigidBodyProperties<dim>> magnet_bodies; ///< of each source, if it is a rigid body
     std::vector<RigidBodyParameters<dim>> rigid_bodies;
   };
 

@@ -1,9 +1,19 @@
 #pragma once
 
-#include <magmpm/magnets/source_field.h>
+#include <magmpm/magnets/source_parts.h>
 
 namespace magmpm
 {
+  /** Of a cuboid; in 2D a rectangle, infinite along z. */
+  template <int dim>
+  struct CuboidParameters
+  {
+    static constexpr Interior interior = Interior::may_be_solid;
+
+    TimeFunction<Vector<dim>> magnetization; ///< in its own frame [A/m]
+    Vector<dim> size;                        ///< edges [m]
+  };
+
   /**
    * A cuboid with edges along the axes and uniform magnetization M of any direction; in 2D a rectangle,
    * infinite along z. Its faces carry the charge M.n. With u = (x + a, x - a) and so on for v and w,
@@ -55,4 +65,9 @@ namespace magmpm
     const double least_edge_distance2; ///< square of the least distance from an edge [m^2]
     std::vector<VolumeElement<dim>> elements;
   };
+
+  /** @throw InputError  if a length is not positive; names the source. */
+  template <int dim>
+  SourceParts<dim>
+  make_parts(const CuboidParameters<dim> &parameters, const std::string &name);
 } // namespace magmpm

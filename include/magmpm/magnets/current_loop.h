@@ -1,9 +1,20 @@
 #pragma once
 
 #include <magmpm/magnets/current_element.h>
+#include <magmpm/magnets/source_parts.h>
 
 namespace magmpm
 {
+  /** Of a circular current loop. */
+  struct CurrentLoopParameters
+  {
+    static constexpr Interior interior = Interior::open;
+
+    TimeFunction<double> current;              ///< round its axis by the right hand [A]
+    double radius = 0., conductor_radius = 0.; ///< [m]
+    Vector<3> axis;                            ///< in its own frame, of any length; zero: along z
+  };
+
   /**
    * A circular loop of radius R about the axis z with the current I, counterclockwise seen from above.
    * With phi the angle to the point, D its distance from the loop's points, rho that from the axis,
@@ -46,4 +57,8 @@ namespace magmpm
     const double radius, conductor_radius;
     std::vector<CurrentElement> elements;
   };
+
+  /** @throw InputError  if a length is not positive; names the source. */
+  SourceParts<3>
+  make_parts(const CurrentLoopParameters &parameters, const std::string &name);
 } // namespace magmpm

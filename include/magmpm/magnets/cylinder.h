@@ -1,9 +1,19 @@
 #pragma once
 
-#include <magmpm/magnets/source_field.h>
+#include <magmpm/magnets/source_parts.h>
 
 namespace magmpm
 {
+  /** Of a magnetized cylinder. */
+  struct CylinderParameters
+  {
+    static constexpr Interior interior = Interior::may_be_solid;
+
+    TimeFunction<Vector<3>> magnetization; ///< in its own frame [A/m]
+    double radius = 0., length = 0.;       ///< [m]
+    Vector<3> axis;                        ///< in its own frame, of any length; zero: along z
+  };
+
   /**
    * A circular cylinder of radius R and length L about the axis z, with uniform magnetization M of any
    * direction. With Phi the integral of 1/(4 pi r) over its volume,
@@ -61,4 +71,8 @@ namespace magmpm
     const double least_edge_distance; ///< [m]
     std::vector<VolumeElement<3>> elements;
   };
+
+  /** @throw InputError  if a length is not positive; names the source. */
+  SourceParts<3>
+  make_parts(const CylinderParameters &parameters, const std::string &name);
 } // namespace magmpm

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <magmpm/magnets/magnetic_source.h>
+#include <magmpm/magnets/source_parameters.h>
 
 #include <memory>
 #include <vector>
@@ -30,6 +31,10 @@ namespace magmpm
     /** Moves all sources to where they are at @p time >= 0 [s]. */
     void
     set_time(const double time);
+
+    /** Puts a source somewhere from outside, see MagneticSource::set_pose(). @param source  its number. */
+    void
+    set_pose(const std::size_t source, const Pose<dim> &pose);
 
     /** H_ext [A/m] at @p point [m]. */
     Vector<dim>
@@ -101,13 +106,14 @@ namespace magmpm
     Change
     change_since_remembered() const;
 
-    const std::vector<std::unique_ptr<MagneticSource<dim>>> &
+    /** All sources, in the order of their parameters; owned by this, which alone moves them. */
+    const std::vector<const MagneticSource<dim> *> &
     sources() const
     {
-      return all_sources;
+      return views;
     }
 
-    /** The sources that have a surface (contact other than none), for colliders; owned by this. */
+    /** The sources that no material can be inside of; owned by this. */
     const std::vector<const MagneticSource<dim> *> &
     solid_sources() const
     {
@@ -116,6 +122,7 @@ namespace magmpm
 
   private:
     std::vector<std::unique_ptr<MagneticSource<dim>>> all_sources;
+    std::vector<const MagneticSource<dim> *> views; ///< of all_sources
     std::vector<const MagneticSource<dim> *> solids;
     std::vector<const MagneticSource<dim> *> refusing; ///< those that refuse material
     std::vector<SourceSnapshot<dim>> kept;

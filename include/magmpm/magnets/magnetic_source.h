@@ -1,9 +1,8 @@
 #pragma once
 
-#include <magmpm/motion/pose.h>
 #include <magmpm/geometry/shape.h>
 #include <magmpm/magnets/source_field.h>
-#include <magmpm/magnets/source_parameters.h>
+#include <magmpm/motion/pose.h>
 
 #include <optional>
 #include <string>
@@ -85,17 +84,20 @@ namespace magmpm
     virtual const Pose<dim> &
     pose() const = 0;
 
-    /** How it moves. */
-    virtual const RigidMotion<dim> &
-    motion() const = 0;
-
     /**
      * Puts a source somewhere from outside (a free magnet, which forces move). From then on set_time()
-     * leaves its pose and motion alone, and is_constant() is false unless it has no strength for ever.
-     * What has no place cannot be put anywhere.
+     * leaves its pose alone, and is_constant() is false unless it has no strength for ever. What has no
+     * place cannot be put anywhere.
      */
     virtual void
-    set_pose(const Pose<dim> &pose, const RigidMotion<dim> &motion) = 0;
+    set_pose(const Pose<dim> &pose) = 0;
+
+    /** Another number than before whenever strength or pose have changed. */
+    unsigned long
+    revision() const
+    {
+      return n_changes;
+    }
 
     /** The space that the source fills, in the frame of pose(); null: none. */
     virtual const Shape<dim> *
@@ -104,18 +106,11 @@ namespace magmpm
       return nullptr;
     }
 
-    /** What material does at the surface of shape(); none: it may go through. */
-    virtual ContactCondition
-    contact() const
+    /** Whether no material can be inside of shape(), since it meets a surface. */
+    virtual bool
+    is_solid() const
     {
-      return ContactCondition::none;
-    }
-
-    /** Coulomb's coefficient of friction, where contact() is separate. */
-    virtual double
-    friction() const
-    {
-      return 0.;
+      return false;
     }
 
     /** Whether material must not be inside of shape(), though it does not meet a surface there. */
@@ -141,7 +136,16 @@ namespace magmpm
       return source_name;
     }
 
+  protected:
+    /** To be called when strength or pose have become others. */
+    void
+    note_change()
+    {
+      ++n_changes;
+    }
+
   private:
     std::string source_name;
+    unsigned long n_changes = 0;
   };
 } // namespace magmpm

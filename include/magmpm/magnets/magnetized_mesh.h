@@ -1,10 +1,20 @@
 #pragma once
 
 #include <magmpm/geometry/triangle_mesh.h>
-#include <magmpm/magnets/source_field.h>
+#include <magmpm/magnets/source_parts.h>
 
 namespace magmpm
 {
+  /** Of a closed triangle mesh. */
+  struct MagnetizedMeshParameters
+  {
+    static constexpr Interior interior = Interior::may_be_solid;
+
+    TimeFunction<Vector<3>> magnetization; ///< in its own frame [A/m]
+    std::string file;                      ///< STL, OBJ or PLY
+    double scale = 1.;                     ///< of the lengths in the file
+  };
+
   /**
    * The inside of a closed triangle mesh with uniform magnetization M of any direction. A triangle with
    * the outward normal n has the charge sigma = M.n, whose field is
@@ -100,4 +110,8 @@ namespace magmpm
     std::vector<Side> sides;
     mutable std::vector<VolumeElement<3>> elements; ///< made when first needed
   };
+
+  /** @throw InputError  as read_closed_mesh() does. */
+  SourceParts<3>
+  make_parts(const MagnetizedMeshParameters &parameters, const std::string &name);
 } // namespace magmpm

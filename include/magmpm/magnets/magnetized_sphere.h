@@ -1,9 +1,19 @@
 #pragma once
 
-#include <magmpm/magnets/source_field.h>
+#include <magmpm/magnets/source_parts.h>
 
 namespace magmpm
 {
+  /** Of a magnetized sphere; in 2D a cylinder magnetized across its axis. */
+  template <int dim>
+  struct MagnetizedSphereParameters
+  {
+    static constexpr Interior interior = Interior::may_be_solid;
+
+    TimeFunction<Vector<dim>> magnetization; ///< in its own frame [A/m]
+    double radius = 0.;                      ///< [m]
+  };
+
   /**
    * A sphere of radius R with uniform, rigid magnetization M: a permanent magnet. With r, n the
    * distance and direction from its centre,
@@ -47,4 +57,9 @@ namespace magmpm
   private:
     const double radius;
   };
+
+  /** @throw InputError  if a length is not positive; names the source. */
+  template <int dim>
+  SourceParts<dim>
+  make_parts(const MagnetizedSphereParameters<dim> &parameters, const std::string &name);
 } // namespace magmpm

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <magmpm/magnets/magnetic_source.h>
+#include <magmpm/magnets/source_parameters.h>
 
 #include <memory>
 

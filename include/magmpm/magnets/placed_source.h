@@ -1,7 +1,7 @@
 #pragma once
 
 #include <magmpm/magnets/magnetic_source.h>
-#include <magmpm/motion/time_function.h>
+#include <magmpm/magnets/source_parameters.h>
 
 #include <memory>
 
@@ -12,15 +12,7 @@ namespace magmpm
   class PlacedSource : public MagneticSource<dim>
   {
   public:
-    /**
-     * @param field   of this kind of source.
-     * @param shape   the space that it fills, in its frame; null: none.
-     * @throw InputError  if an expression cannot be parsed, magnetization or current are given in no way
-     *                    or in several; names the source.
-     */
-    PlacedSource(const SourceParameters<dim> &parameters,
-                 std::unique_ptr<SourceField<dim>> field,
-                 std::unique_ptr<Shape<dim>> shape);
+    PlacedSource(const SourceParameters<dim> &parameters, SourceParts<dim> parts);
 
     void
     set_time(const double time) override;
@@ -49,20 +41,14 @@ namespace magmpm
     const Pose<dim> &
     pose() const override;
 
-    const RigidMotion<dim> &
-    motion() const override;
-
     void
-    set_pose(const Pose<dim> &pose, const RigidMotion<dim> &motion) override;
+    set_pose(const Pose<dim> &pose) override;
 
     const Shape<dim> *
     shape() const override;
 
-    ContactCondition
-    contact() const override;
-
-    double
-    friction() const override;
+    bool
+    is_solid() const override;
 
     bool
     refuses_material() const override;
@@ -78,21 +64,21 @@ namespace magmpm
     }
 
   private:
-    const SourceType type;
-    std::unique_ptr<SourceField<dim>> own_field;
-    std::unique_ptr<Shape<dim>> own_shape;
-    TimeFunction<Pose<dim>> pose_in_time;
-    TimeFunction<double> strength_in_time;
-    TimeFunction<Vector<dim>> amplitude_in_time;
-    Matrix<dim> alignment; ///< turns the frame of own_field, whose axis is z, into the source's
-    const ContactCondition contact_condition;
-    const double friction_coefficient;
+    /** Puts the source where @p pose is. */
+    void
+    move_to(const Pose<dim> &pose);
+
+    const SourceParts<dim> parts;
+    const Matrix<dim>
+      alignment; ///< turns the frame of the field, whose axis is z, into the source's
+    const TimeFunction<Pose<dim>> pose_in_time;
+    const TimeFunction<double> strength_in_time;
+    const bool solid, refusing;
     bool is_moved_from_outside = false;
 
     Pose<dim> current_pose;
-    RigidMotion<dim> current_motion;
     Vector<dim> current_amplitude; ///< in the source's frame
-    Vector<dim> field_amplitude;   ///< in the frame of own_field
-    Matrix<dim> field_rotation;    ///< of the frame of own_field
+    Vector<dim> field_amplitude;   ///< in the frame of the field
+    Matrix<dim> field_rotation;    ///< of the frame of the field
   };
 } // namespace magmpm

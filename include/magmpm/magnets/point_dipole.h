@@ -1,9 +1,20 @@
 #pragma once
 
 #include <magmpm/magnets/magnetized_sphere.h>
+#include <magmpm/magnets/source_parts.h>
 
 namespace magmpm
 {
+  /** Of a point dipole; in 2D a line dipole. */
+  template <int dim>
+  struct PointDipoleParameters
+  {
+    static constexpr Interior interior = Interior::refuses;
+
+    TimeFunction<Vector<dim>> moment; ///< in its own frame [A m^2], in 2D per metre [A m]
+    double radius = 0.;               ///< of its core [m]
+  };
+
   /**
    * A dipole of moment m in a point; in 2D a line dipole of moment per length m. With r, n the distance
    * and direction from it (Jackson, Classical Electrodynamics, section 5.6),
@@ -43,4 +54,9 @@ namespace magmpm
     const MagnetizedSphere<dim> core;
     const double inverse_core_volume; ///< [1/m^3], in 2D [1/m^2]
   };
+
+  /** @throw InputError  if a length is not positive; names the source. */
+  template <int dim>
+  SourceParts<dim>
+  make_parts(const PointDipoleParameters<dim> &parameters, const std::string &name);
 } // namespace magmpm

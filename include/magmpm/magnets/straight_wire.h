@@ -1,9 +1,22 @@
 #pragma once
 
 #include <magmpm/magnets/current_element.h>
+#include <magmpm/magnets/source_parts.h>
 
 namespace magmpm
 {
+  /** Of a straight wire; in 2D along z. */
+  template <int dim>
+  struct StraightWireParameters
+  {
+    static constexpr Interior interior = Interior::open;
+
+    TimeFunction<double> current; ///< along its axis [A]
+    double conductor_radius = 0.; ///< [m]
+    double length           = 0.; ///< 0: without ends [m]; in 2D always
+    Vector<dim> axis;             ///< in 3D: in its own frame, of any length; zero: along z
+  };
+
   /**
    * A straight wire along z with the current I in that direction; in 2D across the plane, towards the
    * viewer. At the distance rho from it,
@@ -61,4 +74,9 @@ namespace magmpm
     const double conductor_radius, half_length;
     std::vector<CurrentElement> elements;
   };
+
+  /** @throw InputError  if a length is not positive; names the source. */
+  template <int dim>
+  SourceParts<dim>
+  make_parts(const StraightWireParameters<dim> &parameters, const std::string &name);
 } // namespace magmpm

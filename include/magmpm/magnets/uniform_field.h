@@ -1,17 +1,26 @@
 #pragma once
 
 #include <magmpm/magnets/magnetic_source.h>
+#include <magmpm/magnets/source_parts.h>
 #include <magmpm/motion/time_function.h>
 
 namespace magmpm
 {
+  /** Of a uniform field. */
+  template <int dim>
+  struct UniformFieldParameters
+  {
+    static constexpr Interior interior = Interior::open;
+
+    TimeFunction<Vector<dim>> field; ///< H [A/m]
+  };
+
   /** A field H(t) that is the same everywhere, as between large pole pieces. */
   template <int dim>
   class UniformField : public MagneticSource<dim>
   {
   public:
-    /** @throw InputError  if the field cannot be parsed, or a contact condition is given. */
-    explicit UniformField(const SourceParameters<dim> &parameters);
+    UniformField(const std::string &name, const UniformFieldParameters<dim> &parameters);
 
     void
     set_time(const double time) override;
@@ -39,17 +48,13 @@ namespace magmpm
     const Pose<dim> &
     pose() const override;
 
-    const RigidMotion<dim> &
-    motion() const override;
-
     /** @throw RunError  always. */
     void
-    set_pose(const Pose<dim> &pose, const RigidMotion<dim> &motion) override;
+    set_pose(const Pose<dim> &pose) override;
 
   private:
     TimeFunction<Vector<dim>> field_in_time;
     Vector<dim> current_field; ///< H [A/m]
     const Pose<dim> origin;
-    const RigidMotion<dim> rest;
   };
 } // namespace magmpm

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <magmpm/motion/key_frames.h>
+#include <magmpm/parameters/magnet_section.h>
+#include <magmpm/parameters/motion_input.h>
 #include <magmpm/parameters/parameter_register.h>
 #include <magmpm/parameters/parameters.h>
 
@@ -23,14 +24,6 @@ namespace magmpm
     double curve_factor = 0.;                                          ///< or this
   };
 
-  /** How the user says that something moves. */
-  struct MotionInput
-  {
-    std::string position, rotation; ///< expressions
-    std::string key_frames;         ///< instead of these: a table, or the name of a file
-    KeyFrameInterpolation interpolation = KeyFrameInterpolation::linear;
-  };
-
   /** What the user gives, where it is not yet what Parameters holds. */
   template <int dim>
   struct ParameterInput
@@ -44,6 +37,7 @@ namespace magmpm
     std::string checkpoint_every = "10 min", end_wall_time = "never";
     std::vector<std::string> body_names, material_names, magnet_names, rigid_body_names;
     std::vector<MaterialInput> materials;        ///< in the order of material_names
+    std::vector<MagnetInput<dim>> magnets;       ///< in the order of magnet_names
     std::vector<MotionInput> rigid_body_motions; ///< in the order of rigid_body_names
   };
 

@@ -16,38 +16,10 @@ namespace magmpm
   void
   declare_body(ParameterRegister &declarations, BodyParameters<dim> &body);
 
-  /**
-   * The shape of a body or something else in the section entered, see check_shape().
-   *
-   * @param may_be_points  whether a list of points will do.
-   */
-  template <int dim>
-  void
-  declare_shape(ParameterRegister &declarations,
-                ShapeParameters<dim> &shape,
-                const bool may_be_points = false);
-
   void
   declare_material(ParameterRegister &declarations,
                    const std::string &name,
                    MaterialInput &material);
-
-  /** One of the magnets. */
-  template <int dim>
-  void
-  declare_source(ParameterRegister &declarations, SourceParameters<dim> &source);
-
-  /** What a free magnet needs, within the section of the magnet. */
-  template <int dim>
-  void
-  declare_free_magnet(ParameterRegister &declarations, SourceParameters<dim> &source);
-
-  /** One of the rigid bodies: its shape, mass, motion and surface. */
-  template <int dim>
-  void
-  declare_rigid_body(ParameterRegister &declarations,
-                     RigidBodyParameters<dim> &body,
-                     MotionInput &motion);
 
   /** The section Attraction. */
   template <int dim>

@@ -33,6 +33,7 @@ namespace magmpm
     std::vector<BodyParameters<dim>> bodies;
     std::vector<MaterialParameters> materials;
     std::vector<SourceParameters<dim>> sources;
+    std::vector<RigidBodyProperties<dim>> magnet_bodies; ///< of each source, if it is a rigid body
     std::vector<RigidBodyParameters<dim>> rigid_bodies;
 
     PointAttraction<dim> attraction;

@@ -1,32 +1,72 @@
-#include <magmpm/boundary/rigid_bodies.h>
 #include <magmpm/geometry/shape_overlap.h>
-#include <magmpm/magnets/make_source.h>
 #include <magmpm/motion/expression.h>
 #include <magmpm/motion/pose_function.h>
+#include <magmpm/parameters/free_body_section.h>
 #include <magmpm/parameters/given_parameters.h>
-#include <magmpm/parameters/section_validation.h>
+#include <magmpm/parameters/rigid_body_section.h>
+#include <magmpm/parameters/shape_section.h>
 
 #include <algorithm>
 
 namespace magmpm
 {
+  template <int dim>
+  void
+  declare_rigid_body(ParameterRegister &declarations,
+                     RigidBodyParameters<dim> &body,
+                     MotionInput &motion)
+  {
+    const auto section = declarations.enter(body.name);
+    declare_shape(declarations, body.shape);
+    declarations.add("Motion",
+                     body.properties.is_free,
+                     {{"free", true}, {"scripted", false}},
+                     "Whether forces move it, or what is given below, whatever meets it.");
+    declare_free_body(declarations, body.properties, "Of a free body: ");
+    const std::string components = " Expressions of t [s], separated by semicolons.";
+    declarations.add("Position",
+                     motion.position,
+                     "m",
+                     "Of a scripted body: where its centroid is, x(t)." + components +
+                       " Not given: where its shape is.",
+                     Presence::optional);
+    declarations.add("Orientation",
+                     motion.rotation,
+                     "rad",
+                     "Of a scripted body: axis times angle by which it is turned about its "
+                     "centroid, from how its shape is given." +
+                       components + " Not given: 0.",
+                     Presence::optional);
+    declarations.add("Key frames",
+                     motion.key_frames,
+                     "s, m, rad",
+                     "Of a scripted body: instead of Position and Orientation, rows of time, "
+                     "position and axis times angle; a CSV file, or the rows, separated by "
+                     "semicolons.",
+                     Presence::optional);
+    declarations.add("Interpolation",
+                     motion.interpolation,
+                     {{"linear", KeyFrameInterpolation::linear},
+                      {"smooth", KeyFrameInterpolation::smooth}},
+                     "Of key frames: from one to the next at a constant velocity, or from rest to "
+                     "rest.");
+    declarations.add("Contact",
+                     body.properties.contact.condition,
+                     {{"stick", ContactCondition::stick},
+                      {"slip", ContactCondition::slip},
+                      {"separate", ContactCondition::separate}},
+                     "What material does at its surface: move with it, along it, or not into it.");
+    declarations.add("Friction",
+                     body.properties.contact.friction,
+                     "-",
+                     "Coulomb's coefficient, with Contact = slip or separate, and of rigid bodies "
+                     "with walls and each other.",
+                     not_negative);
+  }
+
   namespace
   {
-    const std::vector<std::string> of_free = {"Density", "Mass", "Velocity", "Angular velocity"};
     const std::vector<std::string> of_scripted = {"Position", "Orientation", "Key frames"};
-
-    /** Density or mass, not both. */
-    void
-    check_mass(const ParameterRegister &declarations,
-               const std::string &section,
-               const std::string &reason)
-    {
-      const auto given = given_of(declarations, section, {"Density", "Mass"});
-      if (given.size() != 1)
-        throw InputError(declarations.where(section + "/Density") + ": with " + reason +
-                         " exactly one of Density and Mass must be given, but " +
-                         (given.empty() ? "none" : "both") + (given.empty() ? " is." : " are."));
-    }
 
     /** How a scripted body moves. @param centroid  where it stays if nothing else is said [m]. */
     template <int dim>
@@ -39,13 +79,12 @@ namespace magmpm
       const auto where = [&](const std::string &name) {
         return declarations.where(section + "/" + name);
       };
-      check_given(declarations, section, {}, of_free, "Motion = scripted");
+      check_given(declarations, section, {}, parameters_of_free_body, "Motion = scripted");
       if (!input.key_frames.empty())
         {
           check_given(
             declarations, section, {"Key frames"}, {"Position", "Orientation"}, "Key frames given");
-          return read_key_frames<dim>(input.key_frames, input.interpolation, where("Key frames"))
-            .pose;
+          return read_key_frames<dim>(declarations, section + "/Key frames", input).pose;
         }
       TimeFunction<Vector<dim>> position = centroid;
       TimeFunction<Vector<n_axial_components<dim>>> orientation;
@@ -81,7 +120,7 @@ namespace magmpm
   template <int dim>
   void
   check_rigid_bodies(const ParameterRegister &declarations,
-                     const ParameterInput<dim> &input,
+                     const std::vector<MotionInput> &motions,
                      const std::vector<std::unique_ptr<Shape<dim>>> &body_shapes,
                      Parameters<dim> &parameters)
   {
@@ -89,7 +128,7 @@ namespace magmpm
     for (std::size_t i = 0; i < parameters.rigid_bodies.size(); ++i)
       {
         RigidBodyParameters<dim> &body = parameters.rigid_bodies[i];
-        const MotionInput &motion      = input.rigid_body_motions[i];
+        const MotionInput &motion      = motions[i];
         const std::string section      = "Rigid bodies/" + body.name;
         for (const SourceParameters<dim> &source : parameters.sources)
           if (source.name == body.name)
@@ -100,7 +139,7 @@ namespace magmpm
                 "them another name.");
         shapes.push_back(check_shape(declarations, section, body.shape));
         warn_if_thin(declarations, section, shapes.back()->bounding_box(), parameters);
-        if (body.is_free)
+        if (body.properties.is_free)
           {
             check_given(declarations, section, {}, of_scripted, "Motion = free");
             check_mass(declarations, section, "Motion = free");
@@ -122,7 +161,7 @@ namespace magmpm
                                      "it overlaps the body '" + parameters.bodies[b].name +
                                        "' at the start; move them apart.");
         for (std::size_t r = 0; r + 1 < shapes.size(); ++r)
-          if (body.is_free && parameters.rigid_bodies[r].is_free &&
+          if (body.properties.is_free && parameters.rigid_bodies[r].properties.is_free &&
               overlap(*shapes.back(), *shapes[r], 0.5 * parameters.lattice.spacing))
             throw declarations.error(section + "/Shape",
                                      "it overlaps the rigid body '" +
@@ -131,50 +170,13 @@ namespace magmpm
       }
   }
 
-  template <int dim>
-  void
-  check_free_magnet(const ParameterRegister &declarations,
-                    const std::string &section,
-                    const SourceParameters<dim> &source)
-  {
-    if (!source.is_free)
-      return check_given(declarations, section, {}, of_free, "Free = false");
-    if (source.type == SourceType::uniform_field)
-      throw declarations.error(section + "/Free", "a uniform field is nowhere; set it to false.");
-    check_mass(declarations, section, "Free = true");
-    if (!source.key_frames.empty())
-      throw declarations.error(
-        section + "/Free",
-        "key frames move this magnet. Give Position and Rotation instead, or "
-        "set Free = false.");
-    const auto check_constant = [&](const std::string &name, const bool is_constant) {
-      if (!is_constant)
-        throw declarations.error(
-          section + "/" + name,
-          "a free magnet begins there, and forces move it: it must not depend "
-          "on t. Or set Free = false.");
-    };
-    check_constant("Position",
-                   read_expression<dim>(source.position, declarations.where(section + "/Position"))
-                     .is_constant());
-    if (!source.rotation.empty())
-      check_constant("Rotation",
-                     read_expression<n_axial_components<dim>>(
-                       source.rotation, declarations.where(section + "/Rotation"))
-                       .is_constant());
-    if (make_source(source)->shape() == nullptr)
-      throw declarations.error(section + "/Free",
-                               "a source of this type has no volume, and so no inertia; set it to "
-                               "false.");
-  }
-
 #define INSTANTIATE(dim)                                                             \
+  template void declare_rigid_body(                                                  \
+    ParameterRegister &, RigidBodyParameters<dim> &, MotionInput &);                 \
   template void check_rigid_bodies(const ParameterRegister &,                        \
-                                   const ParameterInput<dim> &,                      \
+                                   const std::vector<MotionInput> &,                 \
                                    const std::vector<std::unique_ptr<Shape<dim>>> &, \
-                                   Parameters<dim> &);                               \
-  template void check_free_magnet(                                                   \
-    const ParameterRegister &, const std::string &, const SourceParameters<dim> &);
+                                   Parameters<dim> &);
 
   INSTANTIATE(2)
   INSTANTIATE(3)
