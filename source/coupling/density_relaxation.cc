@@ -105,32 +105,13 @@ namespace magmpm
   }
 
   template <int dim>
-  void
-  fluid_fraction_to_lattice(const std::vector<Body<dim>> &bodies,
-                            const BlockSet<dim> &blocks,
-                            const Lattice<dim> &lattice,
-                            NodeField<dim> &field)
+  MaterialSelection
+  undeformed_fluids(const std::vector<Body<dim>> &bodies)
   {
-    const double per_cell = 1. / std::pow(lattice.spacing, dim);
-    Arena<dim> arena;
-    field.set_zero();
-    for (const Body<dim> &body : bodies)
-      if (as_fluid(body) != nullptr)
-        for (int slot = 0; slot < blocks.n_owned(); ++slot)
-          {
-            if (body.run_begin[slot] == body.run_begin[slot + 1])
-              continue;
-            arena.set_zero();
-            const double *volume = body.particles.component(ParticleProperty::volume, 0);
-            for (std::size_t p = body.run_begin[slot]; p < body.run_begin[slot + 1]; ++p)
-              for_each_node<dim>(lattice,
-                                 blocks.block(slot),
-                                 body.particles.position(p),
-                                 [&](const int place, const double weight) {
-                                   arena.data()[place] += weight * volume[p] * per_cell;
-                                 });
-            arena.add_to(field, blocks, slot);
-          }
+    return select_bodies(
+      bodies,
+      [](const Body<dim> &body) { return as_fluid(body) != nullptr; },
+      ParticleVolume::undeformed);
   }
 
   template <int dim>
@@ -140,7 +121,7 @@ namespace magmpm
                           const OpenFaces<dim> &open,
                           NodeField<dim> &field)
   {
-    for (int slot = 0; slot < blocks.n_owned(); ++slot)
+    for (int slot = 0; slot < field.n_blocks(); ++slot)
       for (int n = 0; n < nodes_per_block<dim>; ++n)
         {
           double *node = field.node(slot, n);
@@ -194,10 +175,7 @@ namespace magmpm
 
 #define INSTANTIATE(dim)                                                                    \
   template bool has_fluid(const std::vector<Body<dim>> &);                                  \
-  template void fluid_fraction_to_lattice(const std::vector<Body<dim>> &,                   \
-                                          const BlockSet<dim> &,                            \
-                                          const Lattice<dim> &,                             \
-                                          NodeField<dim> &);                                \
+  template MaterialSelection undeformed_fluids(const std::vector<Body<dim>> &);             \
   template void complete_fluid_fraction(                                                    \
     const BlockSet<dim> &, const Lattice<dim> &, const OpenFaces<dim> &, NodeField<dim> &); \
   template DensityError relax_volume_ratios(const NodeField<dim> &,                         \

@@ -13,19 +13,17 @@ namespace magmpm
   void
   FluidDensity<dim>::relax(const Clock &clock,
                            const BlockPartition<dim> &partition,
-                           NodeField<dim> &scratch,
                            std::vector<Body<dim>> &bodies)
   {
     relaxed_this_step = has_fluid(bodies) && clock.step % relaxation_period == 0;
     if (!relaxed_this_step)
       return;
     const BlockSet<dim> &blocks = partition.blocks();
-    fluid_fraction_to_lattice(bodies, blocks, lattice, scratch);
-    partition.add_ghosts_to_owners(scratch);
-    complete_fluid_fraction(blocks, lattice, open, scratch);
-    partition.update_ghosts(scratch);
+    NodeField<dim> fraction =
+      volume_fraction(bodies, undeformed_fluids(bodies), partition, lattice);
+    complete_fluid_fraction(blocks, lattice, open, fraction);
     found =
-      relax_volume_ratios(scratch, blocks, lattice, relaxation_period * clock.time_step, bodies);
+      relax_volume_ratios(fraction, blocks, lattice, relaxation_period * clock.time_step, bodies);
   }
 
   template <int dim>

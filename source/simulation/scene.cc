@@ -145,7 +145,7 @@ namespace magmpm
     holder.set_time(state.clock.time);
     magnetic.update(state.clock, all_bodies); // Eqs. (25)-(33)
     attraction.act(state.clock.time_step, all_bodies);
-    fluids.relax(state.clock, decomposition->partition(), lattice_field, all_bodies);
+    fluids.relax(state.clock, decomposition->partition(), all_bodies);
     transfer_to_lattice(); // Eq. (28)
     update_lattice();      // Eqs. (33), (34)
     holder.advance(state.clock);

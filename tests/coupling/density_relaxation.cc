@@ -47,7 +47,7 @@ namespace
     sort_all(blocks, lattice, bodies);
     NodeField<2> field;
     field.reinit(blocks.size());
-    fluid_fraction_to_lattice(bodies, blocks, lattice, field);
+    scatter_volume(bodies, undeformed_fluids(bodies), blocks, lattice, field);
     complete_fluid_fraction(blocks, lattice, OpenFaces<2>(), field);
     return relax_volume_ratios(field, blocks, lattice, time, bodies);
   }

@@ -4,6 +4,7 @@
 #include <magmpm/lattice/node_field.h>
 #include <magmpm/particles/body.h>
 #include <magmpm/particles/box_faces.h>
+#include <magmpm/surface/volume_fraction.h>
 
 #include <vector>
 
@@ -33,17 +34,13 @@ namespace magmpm
   bool
   has_fluid(const std::vector<Body<dim>> &bodies);
 
-  /** P2G of the undeformed volume of fluids over dx^dim, in lane 0; the rest is zero. */
+  /** The material whose volume_fraction() is v_i, but for the share inside of the walls. */
   template <int dim>
-  void
-  fluid_fraction_to_lattice(const std::vector<Body<dim>> &bodies,
-                            const BlockSet<dim> &blocks,
-                            const Lattice<dim> &lattice,
-                            NodeField<dim> &field);
+  MaterialSelection
+  undeformed_fluids(const std::vector<Body<dim>> &bodies);
 
   /**
-   * On the owned nodes, after ranks have added their parts: {v_i, 1, 1 where v_i is below 0.9}; all
-   * zero beyond walls.
+   * Makes of their volume_fraction() {v_i, 1, 1 where v_i is below 0.9}; all zero beyond walls.
    */
   template <int dim>
   void

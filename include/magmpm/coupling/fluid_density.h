@@ -24,15 +24,10 @@ namespace magmpm
     /** @param open  faces of the box that are no walls. */
     FluidDensity(const Lattice<dim> &lattice, const OpenFaces<dim> &open);
 
-    /**
-     * Collective.
-     *
-     * @param scratch  a field on the blocks of @p partition; its values are lost.
-     */
+    /** Collective. */
     void
     relax(const Clock &clock,
           const BlockPartition<dim> &partition,
-          NodeField<dim> &scratch,
           std::vector<Body<dim>> &bodies);
 
     void
