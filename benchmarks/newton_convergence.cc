@@ -90,10 +90,10 @@ namespace
   {
     const BallExperiment<3> ball = ball_in_box(4., susceptibility);
     paper_scheme::Parameters parameters;
-    parameters.faces            = paper_scheme::BoxFaces::open;
-    parameters.newton_tolerance = tolerance;
-    auto scheme                 = ball.scheme(parameters);
-    const auto report           = scheme.solve(ball.particles(), magnet(ball, a));
+    parameters.faces                   = paper_scheme::BoxFaces::open;
+    parameters.solver.newton_tolerance = tolerance;
+    auto scheme                        = ball.scheme(parameters);
+    const auto report                  = scheme.solve(ball.particles(), magnet(ball, a));
     print("paper", susceptibility, a, report.newton, report.zero_residual);
   }
 
@@ -102,7 +102,7 @@ namespace
   {
     const BallExperiment<3> ball = ball_in_box(2., susceptibility);
     MagneticsParameters<3> parameters;
-    parameters.newton_tolerance = tolerance;
+    parameters.solver.newton_tolerance = tolerance;
     // The box of the mechanics, half as wide as that of the potential.
     verification::SampledSetup<3> scene(4 * cells_per_radius, ball.spacing(), 2., parameters);
     scene.set_bodies({verification::sphere<3>(ball.centre(), ball.radius, ball.content)});
@@ -134,7 +134,7 @@ namespace
   SolveReport
   first_solve(Parameters<dim> parameters)
   {
-    parameters.magnetics.newton_tolerance = tolerance;
+    parameters.magnetics.solver.newton_tolerance = tolerance;
     parallel::PhaseTimer timer;
     ExternalField<dim> magnets(parameters.sources);
     std::vector<Body<dim>> bodies = seeded_bodies(parameters);

@@ -121,7 +121,7 @@ namespace
     for (const Preconditioner preconditioner : choice.preconditioners)
       {
         MagneticsParameters<3> parameters;
-        parameters.preconditioner = preconditioner;
+        parameters.solver.preconditioner = preconditioner;
         SampledSetup<3> scene(4 * choice.radius_in_cells, spacing, 8., parameters);
         TimedSolve best = {{}, 1e300};
         for (int frame = 0; frame <= n_frames; ++frame)

@@ -82,7 +82,7 @@ magmpm_file_options("${kernel_options}" lattice/block_set materials/magnetizatio
 # These evaluate the laws of the medium, or integrals round rings, in SIMD lanes, which sqrt leaves
 # where it may set errno.
 magmpm_file_options(-fno-math-errno magnetics/magnetic_force magnetics/material_points
-                    magnetics/potential_residual magnets/ring_integrals particles/particle_sums)
+                    magnets/ring_integrals particles/particle_sums)
 
 # What decides whether a point is inside of a mesh must not depend on the order of two factors.
 magmpm_file_options(-ffp-contract=off geometry/mesh_interior)

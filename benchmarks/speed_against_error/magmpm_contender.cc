@@ -117,9 +117,9 @@ namespace magmpm::benchmarks
     MeshParameters<3> mesh;
     mesh.cell_edge = cell_edge;
     MagneticsParameters<3> magnetics;
-    magnetics.preconditioner   = preconditioner;
-    magnetics.indicator        = indicator;
-    magnetics.newton_tolerance = tolerance;
+    magnetics.solver.preconditioner   = preconditioner;
+    magnetics.indicator               = indicator;
+    magnetics.solver.newton_tolerance = tolerance;
     return {Scheme::magmpm,
             std::string(name_of(preconditioner)) + (cell_edge == 2 ? ", 2 dx, " : ", dx, ") +
               (indicator == MaterialIndicator::sharp ? "sharp" : "smeared"),

@@ -3,13 +3,13 @@
 #include <deal.II/fe/fe_tools.h>
 #include <deal.II/lac/sparsity_tools.h>
 
-#include <magmpm/lattice/cell_stencil.h>
 #include <magmpm/elliptic/jacobian_assembler.h>
+#include <magmpm/lattice/cell_stencil.h>
 
 namespace magmpm
 {
   template <int dim>
-  JacobianAssembler<dim>::JacobianAssembler(const PotentialSpace<dim> &space)
+  JacobianAssembler<dim>::JacobianAssembler(const EllipticSpace<dim> &space)
     : space(space)
     , n_dofs(space.fe.n_dofs_per_cell())
     , quadrature(dealii::QGauss<dim>(n_points_1d))
@@ -45,10 +45,10 @@ namespace magmpm
                                   dealii::FullMatrix<double> &matrix) const
   {
     const double scaling = std::pow(cell->extent_in_direction(0), dim - 2);
-    const dealii::SymmetricTensor<2, dim> *permeability =
-      jacobian.permeability(space.lattice_cell_of_active_cell[cell->active_cell_index()]);
-    if (permeability != nullptr)
-      integrate(permeability, scaling, matrix);
+    const dealii::SymmetricTensor<2, dim> *coefficient =
+      jacobian.coefficient(space.lattice_cell_of_active_cell[cell->active_cell_index()]);
+    if (coefficient != nullptr)
+      integrate(coefficient, scaling, matrix);
     else
       matrix.equ(scaling, vacuum);
 
@@ -61,7 +61,7 @@ namespace magmpm
 
   template <int dim>
   void
-  JacobianAssembler<dim>::integrate(const dealii::SymmetricTensor<2, dim> *permeability,
+  JacobianAssembler<dim>::integrate(const dealii::SymmetricTensor<2, dim> *coefficient,
                                     const double scaling,
                                     dealii::FullMatrix<double> &matrix) const
   {
@@ -70,7 +70,7 @@ namespace magmpm
       for (unsigned int i = 0; i < n_dofs; ++i)
         {
           const dealii::Tensor<1, dim> flux = scaling * quadrature.weight(q) *
-                                              (permeability[q] * gradients[q * n_dofs + i]);
+                                              (coefficient[q] * gradients[q * n_dofs + i]);
           for (unsigned int j = 0; j <= i; ++j)
             matrix(i, j) += flux * gradients[q * n_dofs + j];
         }

@@ -3,7 +3,7 @@
 namespace magmpm
 {
   template <int dim>
-  MLPreconditioner<dim>::MLPreconditioner(const PotentialSpace<dim> &space)
+  MLPreconditioner<dim>::MLPreconditioner(const EllipticSpace<dim> &space)
     : assembler(space)
   {
     const auto &owned = space.dof_handler.locally_owned_dofs();

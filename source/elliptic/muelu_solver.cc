@@ -63,7 +63,7 @@ namespace magmpm
   } // namespace
 
   template <int dim>
-  MueLuSolver<dim>::MueLuSolver(const PotentialSpace<dim> &space)
+  MueLuSolver<dim>::MueLuSolver(const EllipticSpace<dim> &space)
     : assembler(space)
   {
     const dealii::DynamicSparsityPattern pattern = assembler.sparsity_pattern();
@@ -97,7 +97,7 @@ namespace magmpm
 
   template <int dim>
   LinearSolveResult
-  MueLuSolver<dim>::solve(const PotentialOperator<dim, double> &,
+  MueLuSolver<dim>::solve(const EllipticOperator<dim, double> &,
                           const PotentialVector &right_hand_side,
                           const double tolerance,
                           const int max_iterations,

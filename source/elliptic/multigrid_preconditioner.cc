@@ -8,8 +8,8 @@
 #include <deal.II/multigrid/mg_transfer_matrix_free.h>
 #include <deal.II/multigrid/multigrid.h>
 
+#include <magmpm/elliptic/elliptic_operator.h>
 #include <magmpm/elliptic/multigrid_preconditioner.h>
-#include <magmpm/elliptic/potential_operator.h>
 
 #include <algorithm>
 #include <map>
@@ -23,25 +23,25 @@ namespace magmpm
     using LevelCell = typename dealii::Triangulation<dim>::cell_iterator;
 
     /**
-     * I + dM/dH at the points of the cells of all levels. A point of a cell with children stands for two
+     * K at the points of the cells of all levels. A point of a cell with children stands for two
      * of the six points of its children along each axis, and has half their arithmetic and half their
      * harmonic mean, weighted: surfaces stay where they are on all levels, which one mean for all points
      * of a cell would blur. Cells without an entry are vacuum.
      */
     template <int dim>
-    class LevelPermeability
+    class LevelCoefficient
     {
     public:
       using Tensor  = dealii::SymmetricTensor<2, dim>;
       using Tensors = std::vector<Tensor>; ///< at the points of a cell
 
-      LevelPermeability(const PotentialSpace<dim> &space, const JacobianData<dim> &jacobian)
+      LevelCoefficient(const EllipticSpace<dim> &space, const JacobianData<dim> &jacobian)
         : space(space)
         , cells(space.mesh.triangulation().n_global_levels())
       {
         for (const auto &cell : space.mesh.triangulation().active_cell_iterators())
           if (cell->is_locally_owned())
-            if (const Tensor *values = jacobian.permeability(
+            if (const Tensor *values = jacobian.coefficient(
                   space.lattice_cell_of_active_cell[cell->active_cell_index()]))
               cells[cell->level()][cell->index()] = Tensors(values, values + n_points<dim>);
         for (int level = static_cast<int>(cells.size()) - 2; level >= 0; --level)
@@ -60,7 +60,7 @@ namespace magmpm
       }
 
     private:
-      const PotentialSpace<dim> &space;
+      const EllipticSpace<dim> &space;
       std::vector<std::map<int, Tensors>> cells; ///< by level and cell index
 
       void
@@ -128,20 +128,20 @@ namespace magmpm
       }
     };
 
-    /** The open boundary and the permeability, for the operator of one level. */
+    /** The open boundary and the coefficient, for the operator of one level. */
     template <int dim>
     void
-    set_jacobian(const PotentialSpace<dim> &space,
+    set_jacobian(const EllipticSpace<dim> &space,
                  const OpenBoundary<dim> &boundary,
-                 const LevelPermeability<dim> &permeability,
-                 PotentialOperator<dim, float> &level_operator)
+                 const LevelCoefficient<dim> &coefficient,
+                 EllipticOperator<dim, float> &level_operator)
     {
       const auto cell_of = [&](const unsigned int batch, const unsigned int lane) {
         const auto place = level_operator.get_matrix_free()->get_cell_level_and_index(batch, lane);
         return LevelCell<dim>(&space.mesh.triangulation(), place.first, place.second);
       };
-      level_operator.set_permeability([&](const unsigned int batch, const unsigned int lane) {
-        return permeability(cell_of(batch, lane));
+      level_operator.set_coefficient([&](const unsigned int batch, const unsigned int lane) {
+        return coefficient(cell_of(batch, lane));
       });
       dealii::FullMatrix<double> matrix;
       level_operator.set_boundary_matrices([&](const unsigned int batch, const unsigned int lane) {
@@ -154,18 +154,18 @@ namespace magmpm
   struct MultigridPreconditioner<dim>::Implementation
   {
     using LevelVector   = dealii::LinearAlgebra::distributed::Vector<float>;
-    using LevelOperator = PotentialOperator<dim, float>;
+    using LevelOperator = EllipticOperator<dim, float>;
     using Interface     = dealii::MatrixFreeOperators::MGInterfaceOperator<LevelOperator>;
     using Chebyshev     = dealii::PreconditionChebyshev<LevelOperator, LevelVector>;
     using Transfer      = dealii::MGTransferMatrixFree<dim, float>;
 
-    explicit Implementation(const PotentialSpace<dim> &space);
+    explicit Implementation(const EllipticSpace<dim> &space);
 
     /** Sets up the operators, one for each level of the mesh. */
     void
     make_level_operators();
 
-    const PotentialSpace<dim> &space;
+    const EllipticSpace<dim> &space;
     dealii::MGConstrainedDoFs constraints;
 
     dealii::MGLevelObject<LevelOperator> operators;
@@ -180,7 +180,7 @@ namespace magmpm
   };
 
   template <int dim>
-  MultigridPreconditioner<dim>::Implementation::Implementation(const PotentialSpace<dim> &space)
+  MultigridPreconditioner<dim>::Implementation::Implementation(const EllipticSpace<dim> &space)
     : space(space)
   {
     constraints.initialize(space.dof_handler);
@@ -223,7 +223,7 @@ namespace magmpm
   }
 
   template <int dim>
-  MultigridPreconditioner<dim>::MultigridPreconditioner(const PotentialSpace<dim> &space)
+  MultigridPreconditioner<dim>::MultigridPreconditioner(const EllipticSpace<dim> &space)
     : implementation(std::make_unique<Implementation>(space))
   {
   }
@@ -237,12 +237,12 @@ namespace magmpm
   {
     auto &operators = implementation->operators;
 
-    const LevelPermeability<dim> permeability(implementation->space, jacobian);
+    const LevelCoefficient<dim> coefficient(implementation->space, jacobian);
     dealii::MGLevelObject<typename Implementation::Chebyshev::AdditionalData> parameters(
       operators.min_level(), operators.max_level());
     for (unsigned int level = operators.min_level(); level <= operators.max_level(); ++level)
       {
-        set_jacobian(implementation->space, jacobian.boundary, permeability, operators[level]);
+        set_jacobian(implementation->space, jacobian.boundary, coefficient, operators[level]);
         operators[level].compute_diagonal();
         parameters[level].preconditioner      = operators[level].get_matrix_diagonal_inverse();
         parameters[level].degree              = 5;

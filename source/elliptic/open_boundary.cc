@@ -1,5 +1,5 @@
-#include <magmpm/lattice/cell_stencil.h>
 #include <magmpm/elliptic/open_boundary.h>
+#include <magmpm/lattice/cell_stencil.h>
 
 namespace magmpm
 {
@@ -34,7 +34,7 @@ namespace magmpm
   } // namespace
 
   template <int dim>
-  OpenBoundary<dim>::OpenBoundary(const PotentialSpace<dim> &space,
+  OpenBoundary<dim>::OpenBoundary(const EllipticSpace<dim> &space,
                                   const std::array<bool, 2 * dim> &shielded,
                                   const Vector<dim> &centre)
     : lower_corner(space.lower_corner)

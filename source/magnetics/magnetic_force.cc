@@ -1,5 +1,3 @@
-#include <deal.II/matrix_free/fe_evaluation.h>
-
 #include <magmpm/base/constants.h>
 #include <magmpm/magnetics/magnetic_force.h>
 
@@ -29,49 +27,24 @@ namespace magmpm
       return matrix;
     }
 
-    /** h = -grad phi at the points of one cell. */
-    template <int dim>
-    using PointFields = std::array<Vector<dim>, n_points<dim>>;
-
     /**
-     * Calls action(lattice cell, self field at its points) for the lattice cells of this rank that
-     * lie in owned active blocks.
+     * Calls action(lattice cell, h = -grad phi at its points) for the lattice cells of this rank that lie
+     * in owned active blocks.
      */
     template <int dim, typename Action>
     void
-    for_active_cells(const PotentialSolution<dim> &solution,
+    for_active_cells(const EllipticProblem<dim> &potential,
                      const MaterialPoints<dim> &material,
                      const Action &action)
     {
-      const PotentialSpace<dim> &space = *solution.space;
-      const auto &cells                = *space.matrix_free;
-
-      solution.potential.update_ghost_values();
-      dealii::FEEvaluation<dim, potential_degree, n_points_1d, 1, double, CellLanes<double>> phi(
-        cells);
-      PointFields<dim> self_field;
-      for (unsigned int batch = 0; batch < cells.n_cell_batches(); ++batch)
-        {
-          bool is_evaluated = false;
-          for (unsigned int lane = 0; lane < cells.n_active_entries_per_cell_batch(batch); ++lane)
-            {
-              const unsigned int cell = space.lattice_cell(batch, lane);
-              if (cell == invalid_entry || material.slot(cell) == invalid_slot)
-                continue;
-              if (!is_evaluated)
-                {
-                  phi.reinit(batch);
-                  phi.read_dof_values(solution.potential);
-                  phi.evaluate(dealii::EvaluationFlags::gradients);
-                  is_evaluated = true;
-                }
-              for (int q = 0; q < n_points<dim>; ++q)
-                for (int d = 0; d < dim; ++d)
-                  self_field[q][d] = -phi.get_gradient(q)[d][lane];
-              action(cell, self_field);
-            }
-        }
-      solution.potential.zero_out_ghost_values();
+      potential.for_gradients(
+        [&](const unsigned int cell) { return material.slot(cell) != invalid_slot; },
+        [&](const unsigned int cell, const PointVectors<dim> &gradients) {
+          PointVectors<dim> self_field;
+          for (int q = 0; q < n_points<dim>; ++q)
+            self_field[q] = -1. * gradients[q];
+          action(cell, self_field);
+        });
     }
 
     /** h (x) h - |h|^2/2 I [A^2/m^2]. */
@@ -119,7 +92,7 @@ namespace magmpm
     void
     set_forces(const MaterialPoints<dim> &material,
                const unsigned int first_point,
-               const PointFields<dim> &self_field,
+               const PointVectors<dim> &self_field,
                const double inverse_spacing,
                PointForces<dim> &forces)
     {
@@ -190,18 +163,18 @@ namespace magmpm
 
   template <int dim>
   void
-  compute_split_force(const PotentialSolution<dim> &solution,
+  compute_split_force(const EllipticProblem<dim> &potential,
                       const MaterialPoints<dim> &material,
                       const BlockPartition<dim> &partition,
                       NodeField<dim> &force)
   {
     const BlockSet<dim> &blocks     = partition.blocks();
-    const double inverse_spacing    = 1. / solution.space->mesh.lattice().spacing;
+    const double inverse_spacing    = 1. / material.lattice().spacing;
     const CellStencil<dim> &stencil = material.stencil();
     force.reinit(blocks.size());
 
     for_active_cells(
-      solution, material, [&](const unsigned int cell, const PointFields<dim> &self_field) {
+      potential, material, [&](const unsigned int cell, const PointVectors<dim> &self_field) {
         PointForces<dim> forces;
         const unsigned int first = material.first_point(cell);
         if (first != material.none)
@@ -229,7 +202,7 @@ namespace magmpm
 
   template <int dim>
   void
-  compute_material_field(const PotentialSolution<dim> &solution,
+  compute_material_field(const EllipticProblem<dim> &potential,
                          const MaterialPoints<dim> &material,
                          const BlockPartition<dim> &partition,
                          NodeField<dim> &field)
@@ -239,7 +212,7 @@ namespace magmpm
     field.reinit(blocks.size());
     // The weight takes the fourth lane: this is why it is free to the caller.
     for_active_cells(
-      solution, material, [&](const unsigned int cell, const PointFields<dim> &self_field) {
+      potential, material, [&](const unsigned int cell, const PointVectors<dim> &self_field) {
         const unsigned int first = material.first_point(cell);
         if (first == material.none)
           return;
@@ -277,11 +250,11 @@ namespace magmpm
 
   template <int dim>
   std::vector<MaterialSample<dim>>
-  sample_material(const PotentialSolution<dim> &solution, const MaterialPoints<dim> &material)
+  sample_material(const EllipticProblem<dim> &potential, const MaterialPoints<dim> &material)
   {
     std::vector<MaterialSample<dim>> samples(material.size());
     for_active_cells(
-      solution, material, [&](const unsigned int cell, const PointFields<dim> &self_field) {
+      potential, material, [&](const unsigned int cell, const PointVectors<dim> &self_field) {
         const unsigned int first = material.first_point(cell);
         if (first == material.none)
           return;
@@ -305,16 +278,16 @@ namespace magmpm
     return samples;
   }
 
-#define MAGMPM_INSTANTIATE(dim)                                                             \
-  template void compute_split_force(const PotentialSolution<dim> &,                         \
-                                    const MaterialPoints<dim> &,                            \
-                                    const BlockPartition<dim> &,                            \
-                                    NodeField<dim> &);                                      \
-  template void compute_material_field(const PotentialSolution<dim> &,                      \
-                                       const MaterialPoints<dim> &,                         \
-                                       const BlockPartition<dim> &,                         \
-                                       NodeField<dim> &);                                   \
-  template std::vector<MaterialSample<dim>> sample_material(const PotentialSolution<dim> &, \
+#define MAGMPM_INSTANTIATE(dim)                                                           \
+  template void compute_split_force(const EllipticProblem<dim> &,                         \
+                                    const MaterialPoints<dim> &,                          \
+                                    const BlockPartition<dim> &,                          \
+                                    NodeField<dim> &);                                    \
+  template void compute_material_field(const EllipticProblem<dim> &,                      \
+                                       const MaterialPoints<dim> &,                       \
+                                       const BlockPartition<dim> &,                       \
+                                       NodeField<dim> &);                                 \
+  template std::vector<MaterialSample<dim>> sample_material(const EllipticProblem<dim> &, \
                                                             const MaterialPoints<dim> &);
 
   MAGMPM_INSTANTIATE(2)

@@ -28,13 +28,13 @@ namespace magmpm
                                       const BlockPartition<dim> &partition,
                                       const MagneticsParameters<dim> &parameters)
     : partition(partition)
-    , lattice(mesh.lattice())
+    , the_lattice(mesh.lattice())
     , law(parameters.model())
     , is_sharp(parameters.indicator == MaterialIndicator::sharp)
     , shielded(parameters.shielded)
     , the_stencil(mesh.parameters().cell_edge)
   {
-    const double half_edge = 0.5 * mesh.parameters().cell_edge * lattice.spacing;
+    const double half_edge = 0.5 * mesh.parameters().cell_edge * the_lattice.spacing;
     for (int q = 0; q < n_points<dim>; ++q)
       {
         weights[q] = 1.;
@@ -53,7 +53,7 @@ namespace magmpm
                               const ExternalField<dim> &sources)
   {
     NodeField<dim> mirrored(content);
-    add_mirror_images(partition, lattice, shielded, mirrored);
+    add_mirror_images(partition, the_lattice, shielded, mirrored);
 
     points.clear();
     total_weight = 0.;
@@ -81,7 +81,7 @@ namespace magmpm
         if (slot == invalid_slot || slot >= blocks.n_owned())
           continue;
         cells[c].slot     = slot;
-        cells[c].position = lattice.node_position(lattice_cells[c]);
+        cells[c].position = the_lattice.node_position(lattice_cells[c]);
         for (int d = 0; d < dim; ++d)
           cells[c].corner[d] = lattice_cells[c][d] - block_edge * block[d];
       }
@@ -92,13 +92,13 @@ namespace magmpm
   MaterialPoints<dim>::find_fractions(const NodeField<dim> &content,
                                       const ExternalField<dim> &sources)
   {
-    the_indicator.reinit(partition, lattice, shielded, content);
+    the_indicator.reinit(partition, the_lattice, shielded, content);
     NodeField<dim> tested_fraction;
     tested_fraction.reinit(partition.blocks().size());
     for (Cell &cell : cells)
       if (cell.slot != invalid_slot)
         find_fractions_of_cell(cell, sources, tested_fraction);
-    the_indicator.set_correction(partition, lattice, shielded, content, tested_fraction);
+    the_indicator.set_correction(partition, the_lattice, shielded, content, tested_fraction);
   }
 
   template <int dim>
@@ -109,7 +109,7 @@ namespace magmpm
   {
     using Indicator             = SharpIndicator<dim>;
     const BlockSet<dim> &blocks = partition.blocks();
-    const double per_volume     = 1. / std::pow(lattice.spacing, dim);
+    const double per_volume     = 1. / std::pow(the_lattice.spacing, dim);
     StencilValues<dim> nodes;
     PointValues<dim> values;
     the_stencil.gather(the_indicator.field(), blocks, cell.slot, cell.corner, nodes);
@@ -254,6 +254,33 @@ namespace magmpm
             first_moment += weight * (cell.position + positions[first + lane]);
           }
       });
+  }
+
+  template <int dim>
+  double
+  MaterialPoints<dim>::respond(const unsigned int lattice_cell,
+                               PointVectors<dim> &flux,
+                               PointMatrices<dim> &tangent) const
+  {
+    double coenergy = 0.;
+    for_batches(
+      cells[lattice_cell].first_point,
+      [&flux](const int q) { return -1. * flux[q]; },
+      [&](const int first, const int n, const Batch &batch) {
+        const auto &mean = batch.response.mean;
+        for (int lane = 0; lane < n; ++lane)
+          {
+            const int q = first + lane;
+            coenergy += mean.coenergy[lane] * weights[q];
+            for (int i = 0; i < dim; ++i)
+              {
+                flux[q][i] -= mean.magnetization[i][lane];
+                for (int j = 0; j < dim; ++j)
+                  tangent[q](i, j) = (i == j ? 1. : 0.) + mean.tangent(i, j)[lane];
+              }
+          }
+      });
+    return coenergy;
   }
 
   template class MaterialPoints<2>;

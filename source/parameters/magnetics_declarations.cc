@@ -96,22 +96,22 @@ namespace magmpm
       "their B-splines reach, as in the paper (first order only, to compare).");
     declarations.add(
       "Preconditioner",
-      magnetics.preconditioner,
+      magnetics.solver.preconditioner,
       {{"GMG", Preconditioner::gmg}, {"ML", Preconditioner::ml}, {"MueLu", Preconditioner::muelu}},
       "Of the linear solver: geometric multigrid without a matrix, or algebraic multigrid on the "
       "assembled matrix, by Trilinos ML or MueLu (on the GPU, where Trilinos was built for it).");
     declarations.add("Newton tolerance",
-                     magnetics.newton_tolerance,
+                     magnetics.solver.newton_tolerance,
                      "-",
                      "Residual at which Newton stops, relative to that of zero potential.",
                      {1e-15, 1., false, true});
     declarations.add("Maximum Newton steps",
-                     magnetics.max_newton_steps,
+                     magnetics.solver.max_newton_steps,
                      "-",
                      "More than these fail the run.",
                      {1., 1000.});
     declarations.add("Maximum CG iterations",
-                     magnetics.max_cg_iterations,
+                     magnetics.solver.max_cg_iterations,
                      "-",
                      "In one Newton step; more than these fail the run.",
                      {1., 1e6});

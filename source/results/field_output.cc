@@ -1,4 +1,4 @@
-#include <magmpm/elliptic/potential_space.h>
+#include <magmpm/elliptic/elliptic_space.h>
 #include <magmpm/magnetics/material_points.h>
 #include <magmpm/results/field_output.h>
 #include <magmpm/results/written_values.h>
@@ -30,7 +30,7 @@ namespace magmpm
     public:
       using Values = std::array<double, n_components>;
 
-      explicit NodalMean(const PotentialSpace<dim> &space)
+      explicit NodalMean(const EllipticSpace<dim> &space)
         : space(space)
       {
         for (PotentialVector &sum : sums)
@@ -73,7 +73,7 @@ namespace magmpm
       }
 
     private:
-      const PotentialSpace<dim> &space;
+      const EllipticSpace<dim> &space;
       std::array<PotentialVector, n_components> sums;
       PotentialVector count;
     };
@@ -136,7 +136,7 @@ namespace magmpm
       }
 
     private:
-      const PotentialSpace<dim> &space;
+      const EllipticSpace<dim> &space;
       const MaterialPoints<dim> &material;
       const std::vector<MaterialSample<dim>> samples;
       const ExternalField<dim> &sources;
@@ -208,7 +208,7 @@ namespace magmpm
     class NodeGrid
     {
     public:
-      explicit NodeGrid(const NodalFields<dim> &fields, const PotentialSpace<dim> &space);
+      explicit NodeGrid(const NodalFields<dim> &fields, const EllipticSpace<dim> &space);
 
       /** Points and cells. */
       VtuPiece piece;
@@ -226,7 +226,7 @@ namespace magmpm
     };
 
     template <int dim>
-    NodeGrid<dim>::NodeGrid(const NodalFields<dim> &fields, const PotentialSpace<dim> &space)
+    NodeGrid<dim>::NodeGrid(const NodalFields<dim> &fields, const EllipticSpace<dim> &space)
       : fields(fields)
       , relevant_dofs(space.relevant_dofs)
       , points(space.relevant_dofs.n_elements(), -1)

@@ -4,7 +4,7 @@
 #include "catch.h"
 
 #include <magmpm/base/constants.h>
-#include <magmpm/elliptic/potential_space.h>
+#include <magmpm/elliptic/elliptic_space.h>
 #include <magmpm/magnetics/material_points.h>
 
 #include <verification/magnetostatics/sampled_setup.h>

@@ -21,8 +21,8 @@ namespace
   linear_law()
   {
     MagneticsParameters<dim> parameters;
-    parameters.law              = MagnetizationLaw::linear;
-    parameters.newton_tolerance = 1e-12;
+    parameters.law                     = MagnetizationLaw::linear;
+    parameters.solver.newton_tolerance = 1e-12;
     return parameters;
   }
 
@@ -193,7 +193,7 @@ TEMPLATE_TEST_CASE_SIG("A layer between mirrors does not feel them",
   shielded.fill(true);
   constexpr int n_cells                = 16;
   MagneticsParameters<dim> exact_solve = linear_law<dim>();
-  exact_solve.newton_tolerance         = 1e-14;
+  exact_solve.solver.newton_tolerance         = 1e-14;
   SampledSetup<dim> scene(n_cells, spacing, 2., exact_solve, shielded);
   Vector<dim> lower, upper, field;
   for (int d = 0; d < dim; ++d)

@@ -2,8 +2,8 @@
 
 #include <deal.II/base/quadrature_lib.h>
 
+#include <magmpm/elliptic/elliptic_residual.h>
 #include <magmpm/elliptic/ml_preconditioner.h>
-#include <magmpm/magnetics/potential_residual.h>
 
 #include <verification/magnetostatics/sampled_setup.h>
 #include <verification/magnetostatics/sources.h>
@@ -27,7 +27,7 @@ namespace
       for (int d = 0; d < dim; ++d)
         centre[d] = spacing * (8.3 + 0.2 * d);
       scene.set_bodies({sphere<dim>(centre, 3. * spacing, {9e4, 3.})});
-      space = std::make_unique<PotentialSpace<dim>>(scene.mesh, true);
+      space = std::make_unique<EllipticSpace<dim>>(scene.mesh, true);
       material.reinit(space->lattice_cells, scene.content, sources);
       boundary = std::make_unique<OpenBoundary<dim>>(*space, std::array<bool, 2 * dim>{}, centre);
 
@@ -64,8 +64,8 @@ namespace
     {
       PotentialVector result = space->make_vector();
       residual.evaluate(*space, material, jacobian, potential, result);
-      jacobian.set_permeability([&](const unsigned int batch, const unsigned int lane) {
-        return residual.permeability(material, space->lattice_cell(batch, lane));
+      jacobian.set_coefficient([&](const unsigned int batch, const unsigned int lane) {
+        return residual.coefficient(space->lattice_cell(batch, lane));
       });
       return result;
     }
@@ -81,8 +81,7 @@ namespace
           const unsigned int n_lanes = cells.n_active_entries_per_cell_batch(batch);
           unsigned int n_material    = 0;
           for (unsigned int lane = 0; lane < n_lanes; ++lane)
-            n_material += residual.permeability(material, space->lattice_cell(batch, lane)) !=
-                          nullptr;
+            n_material += residual.coefficient(space->lattice_cell(batch, lane)) != nullptr;
           n += n_material > 0 && n_material < n_lanes;
         }
       return parallel::sum(n, MPI_COMM_WORLD);
@@ -100,11 +99,11 @@ namespace
     static constexpr double spacing = 0.01;
     SampledSetup<dim> scene;
     ExternalField<dim> sources;
-    std::unique_ptr<PotentialSpace<dim>> space;
+    std::unique_ptr<EllipticSpace<dim>> space;
     MaterialPoints<dim> material;
     std::unique_ptr<OpenBoundary<dim>> boundary;
-    PotentialOperator<dim, double> jacobian;
-    PotentialResidual<dim> residual;
+    EllipticOperator<dim, double> jacobian;
+    EllipticResidual<dim> residual;
   };
 
   /** Of the test potentials [A]: fields of order H_ext. */
@@ -130,8 +129,7 @@ TEMPLATE_TEST_CASE_SIG("The matrix-free Jacobian is the assembled matrix",
 
   MLPreconditioner<dim> assembled(*test.space);
   assembled.rebuild(
-    {[&](const unsigned int cell) { return test.residual.permeability(test.material, cell); },
-     *test.boundary});
+    {[&](const unsigned int cell) { return test.residual.coefficient(cell); }, *test.boundary});
 
   const PotentialVector x = test.arbitrary(0.3), y = test.arbitrary(2.);
   PotentialVector matrix_free(x), with_matrix(x);
@@ -167,10 +165,10 @@ TEMPLATE_TEST_CASE_SIG("Jacobian, residual and energy belong together",
   PotentialVector shifted(potential);
   shifted.add(step, direction);
   PotentialVector difference = test.linearize(shifted);
-  const double energy_above  = test.residual.energy();
+  const double energy_above  = test.residual.functional();
   shifted.add(-2. * step, direction);
   difference -= test.linearize(shifted);
-  const double energy_below = test.residual.energy();
+  const double energy_below = test.residual.functional();
   difference /= 2. * step;
 
   const PotentialVector residual = test.linearize(potential);
@@ -195,8 +193,7 @@ TEMPLATE_TEST_CASE_SIG("The matrix-free diagonal is that of the matrix",
   test.jacobian.compute_diagonal();
   MLPreconditioner<dim> assembled(*test.space);
   assembled.rebuild(
-    {[&](const unsigned int cell) { return test.residual.permeability(test.material, cell); },
-     *test.boundary});
+    {[&](const unsigned int cell) { return test.residual.coefficient(cell); }, *test.boundary});
   const auto &inverse = test.jacobian.get_matrix_diagonal_inverse()->get_vector();
   double error        = 0.;
   for (const auto i : inverse.locally_owned_elements())
@@ -207,13 +204,13 @@ TEMPLATE_TEST_CASE_SIG("The matrix-free diagonal is that of the matrix",
 
 namespace
 {
-  /** The operator of one level, with arbitrary permeabilities on every third cell. */
+  /** The operator of one level, with arbitrary coefficients on every third cell. */
   template <int dim>
   void
   set_up_level(const JacobianTest<dim> &test,
                const dealii::MGConstrainedDoFs &constraints,
                const unsigned int level,
-               PotentialOperator<dim, double> &level_operator)
+               EllipticOperator<dim, double> &level_operator)
   {
     dealii::AffineConstraints<double> no_constraints;
     no_constraints.close();
@@ -228,7 +225,7 @@ namespace
     level_operator.initialize_level(cells, constraints, level);
 
     std::array<dealii::SymmetricTensor<2, dim>, n_points<dim>> values;
-    level_operator.set_permeability(
+    level_operator.set_coefficient(
       [&](const unsigned int batch, const unsigned int lane) -> decltype(values.data()) {
         const auto cell = cells->get_cell_iterator(batch, lane);
         if (cell->index() % 3 != 0)
@@ -262,7 +259,7 @@ TEMPLATE_TEST_CASE_SIG("Diagonal and edge of a level are those of its operator",
   for (unsigned int level = 0; level < test.scene.mesh.triangulation().n_global_levels(); ++level)
     {
       CAPTURE(level);
-      PotentialOperator<dim, double> level_operator;
+      EllipticOperator<dim, double> level_operator;
       set_up_level(test, constraints, level, level_operator);
       level_operator.compute_diagonal();
       const auto &inverse = level_operator.get_matrix_diagonal_inverse()->get_vector();

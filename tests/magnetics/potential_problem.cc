@@ -1,7 +1,7 @@
 #include "catch.h"
 
 #include <magmpm/base/constants.h>
-#include <magmpm/elliptic/potential_space.h>
+#include <magmpm/elliptic/elliptic_space.h>
 
 #include <verification/magnetostatics/sampled_setup.h>
 #include <verification/magnetostatics/sources.h>
@@ -94,7 +94,7 @@ TEMPLATE_TEST_CASE_SIG("Newton's method takes at most four steps at the paper's 
   for (const Preconditioner preconditioner : {Preconditioner::gmg, Preconditioner::ml})
     {
       MagneticsParameters<dim> parameters;
-      parameters.preconditioner = preconditioner;
+      parameters.solver.preconditioner = preconditioner;
       CubeOverMagnet<dim> test(parameters);
       dealii::Timer timer;
       const SolveReport first = test.solve();
@@ -159,7 +159,7 @@ TEMPLATE_TEST_CASE_SIG("Newton's method takes no more steps than needed",
 TEST_CASE("The force does not depend on the number of ranks", "[magnetics][mpi]")
 {
   MagneticsParameters<3> parameters;
-  parameters.newton_tolerance = 1e-13;
+  parameters.solver.newton_tolerance = 1e-13;
   SampledSetup<3> scene(32, spacing, 2., parameters);
   const ExternalField<3> sources({magnet_source<3>({{0.13, 0.1, 0.02}}, 0.05, {{3e5, -2e5, 1e6}}),
                                   uniform_source<3>({{0., 1e4, 0.}})});
@@ -192,7 +192,7 @@ TEST_CASE("The force does not depend on the number of ranks", "[magnetics][mpi]"
 TEST_CASE("A potential that is not found is an error", "[magnetics][mpi]")
 {
   MagneticsParameters<2> parameters;
-  parameters.max_newton_steps = 2;
+  parameters.solver.max_newton_steps = 2;
   SampledSetup<2> scene(16, spacing, 2., parameters);
   const ExternalField<2> sources({uniform_source<2>({{1e5, 0.}})});
   scene.set_bodies({sphere<2>({{8. * spacing, 8. * spacing}}, 4. * spacing, grains(10.))});
@@ -207,7 +207,7 @@ TEST_CASE("A potential that is not found is an error", "[magnetics][mpi]")
 TEST_CASE("Each mesh has its own exchange pattern", "[magnetics][mpi]")
 {
   MagneticsParameters<2> parameters;
-  parameters.newton_tolerance = 1e-13;
+  parameters.solver.newton_tolerance = 1e-13;
   const ExternalField<2> sources({uniform_source<2>({{3e4, 8e4}})});
   const auto discs = [](const double x) {
     return std::vector<SampledBody<2>>{

@@ -213,8 +213,8 @@ TEMPLATE_TEST_CASE_SIG("All faces can be shielded", "[magnetics][mpi]", ((int di
     {
       std::array<bool, 2 * dim> shielded;
       shielded.fill(true);
-      auto parameters           = with_law<dim>(MagnetizationLaw::langevin);
-      parameters.preconditioner = preconditioner;
+      auto parameters                  = with_law<dim>(MagnetizationLaw::langevin);
+      parameters.solver.preconditioner = preconditioner;
       const SphereInField<dim> test(16, 5., grains(10.), 1e5, parameters, 2., shielded);
       CHECK(test.report.relative_final_residual() <= 1e-10);
       CHECK(test.report.newton.steps <= 6);

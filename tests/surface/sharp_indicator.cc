@@ -1,6 +1,6 @@
 #include "catch.h"
 
-#include <magmpm/elliptic/potential_space.h>
+#include <magmpm/elliptic/elliptic_space.h>
 #include <magmpm/magnetics/material_points.h>
 #include <magmpm/mesh/node_filters.h>
 
@@ -30,7 +30,7 @@ namespace
       MagneticsParameters<dim> parameters;
       parameters.shielded = shielded;
       points = std::make_unique<MaterialPoints<dim>>(scene.mesh, scene.partition, parameters);
-      const PotentialSpace<dim> space(scene.mesh, false);
+      const EllipticSpace<dim> space(scene.mesh, false);
       n_cells = space.lattice_cells.size();
       points->reinit(space.lattice_cells, scene.content, ExternalField<dim>(sources));
     }

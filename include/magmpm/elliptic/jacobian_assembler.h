@@ -4,7 +4,7 @@
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/full_matrix.h>
 
-#include <magmpm/elliptic/potential_solver.h>
+#include <magmpm/elliptic/elliptic_solver.h>
 
 #include <vector>
 
@@ -21,7 +21,7 @@ namespace magmpm
   class JacobianAssembler
   {
   public:
-    explicit JacobianAssembler(const PotentialSpace<dim> &space);
+    explicit JacobianAssembler(const EllipticSpace<dim> &space);
 
     /** Of the matrix, of all ranks. */
     dealii::types::global_dof_index
@@ -46,7 +46,7 @@ namespace magmpm
   private:
     using Cell = typename dealii::DoFHandler<dim>::active_cell_iterator;
 
-    const PotentialSpace<dim> &space;
+    const EllipticSpace<dim> &space;
     const unsigned int n_dofs; ///< of a cell
     const dealii::Quadrature<dim> quadrature;
     const std::vector<unsigned int> lexicographic;
@@ -60,7 +60,7 @@ namespace magmpm
             dealii::FullMatrix<double> &matrix) const;
 
     void
-    integrate(const dealii::SymmetricTensor<2, dim> *permeability,
+    integrate(const dealii::SymmetricTensor<2, dim> *coefficient,
               const double scaling,
               dealii::FullMatrix<double> &matrix) const;
   };

@@ -3,8 +3,8 @@
 #include <deal.II/lac/trilinos_precondition.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 
+#include <magmpm/elliptic/elliptic_preconditioner.h>
 #include <magmpm/elliptic/jacobian_assembler.h>
-#include <magmpm/elliptic/potential_preconditioner.h>
 
 namespace magmpm
 {
@@ -13,10 +13,10 @@ namespace magmpm
    * iterations for susceptibilities from 1 to 1000; seven times the memory of multigrid.
    */
   template <int dim>
-  class MLPreconditioner : public PotentialPreconditioner<dim>
+  class MLPreconditioner : public EllipticPreconditioner<dim>
   {
   public:
-    explicit MLPreconditioner(const PotentialSpace<dim> &space);
+    explicit MLPreconditioner(const EllipticSpace<dim> &space);
 
     void
     rebuild(const JacobianData<dim> &jacobian) override;

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <magmpm/elliptic/elliptic_solver.h>
 #include <magmpm/elliptic/jacobian_assembler.h>
-#include <magmpm/elliptic/potential_solver.h>
 #include <magmpm/elliptic/tpetra_solver.h>
 
 #include <memory>
@@ -13,10 +13,10 @@ namespace magmpm
    * MueLu. This is the solver that runs on a GPU, see TpetraSolver.
    */
   template <int dim>
-  class MueLuSolver : public PotentialSolver<dim>
+  class MueLuSolver : public EllipticSolver<dim>
   {
   public:
-    explicit MueLuSolver(const PotentialSpace<dim> &space);
+    explicit MueLuSolver(const EllipticSpace<dim> &space);
 
     void
     update(const JacobianData<dim> &jacobian) override;
@@ -25,7 +25,7 @@ namespace magmpm
     rebuild(const JacobianData<dim> &jacobian) override;
 
     LinearSolveResult
-    solve(const PotentialOperator<dim, double> &jacobian,
+    solve(const EllipticOperator<dim, double> &jacobian,
           const PotentialVector &right_hand_side,
           const double tolerance,
           const int max_iterations,

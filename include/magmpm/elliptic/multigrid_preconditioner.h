@@ -1,23 +1,23 @@
 #pragma once
 
-#include <magmpm/elliptic/potential_preconditioner.h>
+#include <magmpm/elliptic/elliptic_preconditioner.h>
 
 namespace magmpm
 {
   /**
    * Geometric multigrid with local smoothing on the levels of the mesh, in single precision: a V-cycle
-   * of Chebyshev smoothers (degree 5) around PotentialOperator, down to the root cells of the box. Six
-   * to fourteen iterations for susceptibilities from 1 to 1000.
+   * of Chebyshev smoothers (degree 5) around EllipticOperator, down to the root cells of the box. Six
+   * to fourteen iterations where K is from 2 to 1000.
    *
-   * The permeability of active cells is their own. At each quadrature point of a coarser cell it is a mean
+   * The coefficient of active cells is their own. At each quadrature point of a coarser cell it is a mean
    * over the points of its children next to it, half the arithmetic and half the harmonic one: surfaces
    * then stay in place on all levels.
    */
   template <int dim>
-  class MultigridPreconditioner : public PotentialPreconditioner<dim>
+  class MultigridPreconditioner : public EllipticPreconditioner<dim>
   {
   public:
-    explicit MultigridPreconditioner(const PotentialSpace<dim> &space);
+    explicit MultigridPreconditioner(const EllipticSpace<dim> &space);
     ~MultigridPreconditioner() override;
 
     void

@@ -2,22 +2,22 @@
 
 #include <deal.II/lac/full_matrix.h>
 
-#include <magmpm/elliptic/potential_space.h>
+#include <magmpm/elliptic/elliptic_space.h>
 
 #include <array>
 
 namespace magmpm
 {
   /**
-   * Open space around the potential box, as a Robin condition on the total flux,
-   *   n.(h + M) = c phi,  c = (m - 1) (n.r)/r^2,  r from the centre of the magnetized material,
+   * Open space around the box, as a Robin condition on the total flux q,
+   *   n.q = -c phi,  c = (m - 1) (n.r)/r^2,  r from the centre of the medium,
    * which is exact for the field of a dipole along n = r/r (m = dim) and keeps the problem symmetric
    * and positive definite. In the weak form it adds int c phi v, here as element matrices of the
    * cells at open faces: then hanging nodes, multigrid levels and diagonals are treated as for
    * every other part of the operator.
    *
-   * Shielded faces have the natural condition n.(h + M) = 0, which is a mirror. The source of the
-   * field outside is then the material and its image: r starts on the mirror; and between two opposite
+   * Shielded faces have the natural condition n.q = 0, which is a mirror. The source of the
+   * field outside is then the medium and its image: r starts on the mirror; and between two opposite
    * mirrors, in a row of images without end, only the components of r across the row count, m is
    * one less, for each such pair.
    *
@@ -29,13 +29,13 @@ namespace magmpm
   class OpenBoundary
   {
   public:
-    using CellIterator = typename PotentialSpace<dim>::CellIterator;
+    using CellIterator = typename EllipticSpace<dim>::CellIterator;
 
     /**
-     * @param centre    of the magnetized material [m]; moved to the middle of the box if outside.
+     * @param centre    of the medium [m]; moved to the middle of the box if outside.
      * @param shielded  faces -x, +x, -y, ... of the box.
      */
-    OpenBoundary(const PotentialSpace<dim> &space,
+    OpenBoundary(const EllipticSpace<dim> &space,
                  const std::array<bool, 2 * dim> &shielded,
                  const Vector<dim> &centre);
 

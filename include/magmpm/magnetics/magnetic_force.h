@@ -1,9 +1,11 @@
 #pragma once
 
+#include <magmpm/elliptic/elliptic_problem.h>
 #include <magmpm/magnetics/material_points.h>
-#include <magmpm/magnetics/potential_problem.h>
-#include <magmpm/elliptic/potential_space.h>
+#include <magmpm/magnetics/material_sample.h>
 #include <magmpm/mesh/block_partition.h>
+
+#include <vector>
 
 namespace magmpm
 {
@@ -20,7 +22,7 @@ namespace magmpm
    */
   template <int dim>
   void
-  compute_split_force(const PotentialSolution<dim> &solution,
+  compute_split_force(const EllipticProblem<dim> &potential,
                       const MaterialPoints<dim> &material,
                       const BlockPartition<dim> &partition,
                       NodeField<dim> &force);
@@ -32,7 +34,7 @@ namespace magmpm
    */
   template <int dim>
   void
-  compute_material_field(const PotentialSolution<dim> &solution,
+  compute_material_field(const EllipticProblem<dim> &potential,
                          const MaterialPoints<dim> &material,
                          const BlockPartition<dim> &partition,
                          NodeField<dim> &field);
@@ -40,5 +42,5 @@ namespace magmpm
   /** The medium of this rank at the quadrature points with material. */
   template <int dim>
   std::vector<MaterialSample<dim>>
-  sample_material(const PotentialSolution<dim> &solution, const MaterialPoints<dim> &material);
+  sample_material(const EllipticProblem<dim> &potential, const MaterialPoints<dim> &material);
 } // namespace magmpm

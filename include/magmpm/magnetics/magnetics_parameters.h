@@ -1,18 +1,12 @@
 #pragma once
 
+#include <magmpm/elliptic/elliptic_parameters.h>
 #include <magmpm/materials/magnetization.h>
 
 #include <array>
 
 namespace magmpm
 {
-  enum class Preconditioner
-  {
-    gmg,  ///< geometric multigrid on deal.II's MatrixFree
-    ml,   ///< algebraic multigrid on the assembled matrix: Trilinos ML, on Epetra
-    muelu ///< the same: Trilinos MueLu, with matrix and CG on Tpetra
-  };
-
   /** What counts as material at a point. */
   enum class MaterialIndicator
   {
@@ -26,11 +20,8 @@ namespace magmpm
   {
     MagnetizationLaw law = MagnetizationLaw::langevin;
     std::shared_ptr<const MagnetizationCurve> curve; ///< of the law table
-    MaterialIndicator indicator   = MaterialIndicator::sharp;
-    Preconditioner preconditioner = Preconditioner::gmg;
-    double newton_tolerance       = 1e-10; ///< of the residual, relative to that of zero potential
-    int max_newton_steps          = 25;
-    int max_cg_iterations         = 500;
+    MaterialIndicator indicator = MaterialIndicator::sharp;
+    EllipticParameters solver;
 
     /** Shielded faces (-x, +x, -y, ...): natural condition; the others are open (Robin). */
     std::array<bool, 2 *dim> shielded = {};

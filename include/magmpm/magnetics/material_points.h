@@ -1,10 +1,11 @@
 #pragma once
 
+#include <magmpm/elliptic/elliptic_medium.h>
 #include <magmpm/lattice/cell_stencil.h>
 #include <magmpm/magnetics/laminate.h>
 #include <magmpm/magnetics/magnetics_parameters.h>
-#include <magmpm/surface/sharp_indicator.h>
 #include <magmpm/magnets/external_field.h>
+#include <magmpm/surface/sharp_indicator.h>
 
 #include <algorithm>
 #include <limits>
@@ -25,7 +26,7 @@ namespace magmpm
    * With the smeared one it is all material, of the content that P2G spreads, as in the paper.
    */
   template <int dim>
-  class MaterialPoints
+  class MaterialPoints : public EllipticMedium<dim>
   {
   public:
     static constexpr unsigned int none = std::numeric_limits<unsigned int>::max();
@@ -48,6 +49,24 @@ namespace magmpm
     reinit(const std::vector<Index<dim>> &lattice_cells,
            const NodeField<dim> &content,
            const ExternalField<dim> &sources);
+
+    bool
+    is_linear() const override
+    {
+      return law.law == MagnetizationLaw::linear;
+    }
+
+    bool
+    fills(const unsigned int lattice_cell) const override
+    {
+      return cells[lattice_cell].first_point != none;
+    }
+
+    /** q = grad phi - M(H_ext - grad phi), K = 1 + dM/dH; returns int psi, that of the laminate. */
+    double
+    respond(const unsigned int lattice_cell,
+            PointVectors<dim> &flux,
+            PointMatrices<dim> &tangent) const override;
 
     /** The slot of the owned active block that holds a lattice cell, or invalid_slot. */
     int
@@ -197,6 +216,12 @@ namespace magmpm
       return the_indicator;
     }
 
+    const Lattice<dim> &
+    lattice() const
+    {
+      return the_lattice;
+    }
+
     const CellStencil<dim> &
     stencil() const
     {
@@ -224,7 +249,7 @@ namespace magmpm
     };
 
     const BlockPartition<dim> &partition;
-    const Lattice<dim> lattice;
+    const Lattice<dim> the_lattice;
     const MagnetizationModel law;
     const bool is_sharp;
     const std::array<bool, 2 * dim> shielded;

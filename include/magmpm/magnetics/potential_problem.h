@@ -1,45 +1,25 @@
 #pragma once
 
-#include <magmpm/elliptic/solve_report.h>
+#include <magmpm/elliptic/elliptic_problem.h>
 #include <magmpm/lattice/node_field.h>
 #include <magmpm/magnetics/magnetics_parameters.h>
+#include <magmpm/magnetics/material_points.h>
+#include <magmpm/magnetics/material_sample.h>
+#include <magmpm/magnetics/solve_report.h>
 #include <magmpm/magnets/external_field.h>
 #include <magmpm/mesh/block_partition.h>
 
-#include <memory>
 #include <vector>
-
-namespace magmpm::parallel
-{
-  class PhaseTimer;
-}
 
 namespace magmpm
 {
-  template <int dim>
-  struct PotentialSolution;
-
-  template <int dim>
-  class MaterialPoints;
-
-  /** The magnetic medium at one quadrature point. */
-  template <int dim>
-  struct MaterialSample
-  {
-    Vector<dim> position;      ///< [m]
-    double weight;             ///< of the quadrature [m^dim]
-    double fraction;           ///< of the volume that is magnetic material [-]
-    Vector<dim> field;         ///< H, the total one, in the material [A/m]
-    Vector<dim> magnetization; ///< mean M over material and vacuum [A/m]: int M is the moment
-    double number_density;     ///< of grains, mean over material and vacuum [1/m^3]
-  };
-
   /**
    * The magnetic scalar potential of the scene: finds phi with h = -grad phi, H = H_ext + h and
    *   div(h + M(H)) = 0,
-   * Eq. (13) of Sun et al. 2021, with FE_Q(2) on the mesh of the potential box, open or shielded faces,
-   * Newton's method with the exact tangent, and CG preconditioned by geometric or algebraic
-   * multigrid. Sees material as node fields only.
+   * Eq. (13) of Sun et al. 2021, on the mesh of the potential box with open or shielded faces: an
+   * EllipticProblem whose flux is q = grad phi - M(H_ext - grad phi), that of the MaterialPoints, and
+   * whose functional is Pi = int [|h|^2/2 + psi(H)] + int c phi^2/2. H_ext^2, which reaches 1e12 near
+   * magnets, never enters. Sees material as node fields only.
    *
    * In 2D everything is infinite along z: forces are per metre of depth.
    */
@@ -52,7 +32,6 @@ namespace magmpm
                      const BlockPartition<dim> &partition,
                      const MagneticsParameters<dim> &parameters,
                      parallel::PhaseTimer &timer);
-    ~PotentialProblem();
 
     /**
      * Solves for the present material and sources. Starts from the last potential, or from the last two
@@ -94,7 +73,10 @@ namespace magmpm
 
     /** The medium of this rank at the last solve; valid until the next one. */
     const MaterialPoints<dim> &
-    material() const;
+    material() const
+    {
+      return points;
+    }
 
     /** Its points with the fields there, in the order of material(), for integrals over them. */
     std::vector<MaterialSample<dim>>
@@ -102,17 +84,32 @@ namespace magmpm
 
     /** Degrees of freedom of the potential, of all ranks; zero before the first solve. */
     unsigned long long
-    n_unknowns() const;
+    n_unknowns() const
+    {
+      return potential.n_unknowns();
+    }
 
     /**
      * The potential of the last solve and the space it lives in, for output and tests; valid until the
-     * next one. Includes potential_space.h to be read.
+     * next one. Includes elliptic_space.h to be read.
      */
-    const PotentialSolution<dim> &
-    solution() const;
+    const EllipticSolution<dim> &
+    solution() const
+    {
+      return potential.solution();
+    }
 
   private:
-    struct Implementation;
-    std::unique_ptr<Implementation> implementation;
+    const BackgroundMesh<dim> &mesh;
+    const BlockPartition<dim> &partition;
+    const MagneticsParameters<dim> parameters;
+    parallel::PhaseTimer &timer;
+
+    EllipticProblem<dim> potential;
+    MaterialPoints<dim> points;
+
+    /** Brings the material, the sources and the open boundary up to date. */
+    void
+    set_state(const NodeField<dim> &content, const ExternalField<dim> &sources);
   };
 } // namespace magmpm

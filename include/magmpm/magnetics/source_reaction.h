@@ -1,6 +1,6 @@
 #pragma once
 
-#include <magmpm/magnetics/potential_problem.h>
+#include <magmpm/magnetics/material_sample.h>
 #include <magmpm/magnets/external_field.h>
 
 #include <mpi.h>

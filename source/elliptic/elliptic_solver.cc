@@ -1,13 +1,13 @@
+#include <magmpm/elliptic/elliptic_solver.h>
 #include <magmpm/elliptic/ml_preconditioner.h>
 #include <magmpm/elliptic/muelu_solver.h>
 #include <magmpm/elliptic/multigrid_preconditioner.h>
-#include <magmpm/elliptic/potential_solver.h>
 
 namespace magmpm
 {
   template <int dim>
-  std::unique_ptr<PotentialSolver<dim>>
-  make_potential_solver(const Preconditioner type, const PotentialSpace<dim> &space)
+  std::unique_ptr<EllipticSolver<dim>>
+  make_elliptic_solver(const Preconditioner type, const EllipticSpace<dim> &space)
   {
     switch (type)
       {
@@ -21,8 +21,8 @@ namespace magmpm
     return std::make_unique<MultigridPreconditioner<dim>>(space);
   }
 
-  template std::unique_ptr<PotentialSolver<2>>
-  make_potential_solver(const Preconditioner, const PotentialSpace<2> &);
-  template std::unique_ptr<PotentialSolver<3>>
-  make_potential_solver(const Preconditioner, const PotentialSpace<3> &);
+  template std::unique_ptr<EllipticSolver<2>>
+  make_elliptic_solver(const Preconditioner, const EllipticSpace<2> &);
+  template std::unique_ptr<EllipticSolver<3>>
+  make_elliptic_solver(const Preconditioner, const EllipticSpace<3> &);
 } // namespace magmpm

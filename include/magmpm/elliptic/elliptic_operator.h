@@ -5,23 +5,23 @@
 #include <deal.II/matrix_free/fe_evaluation.h>
 #include <deal.II/matrix_free/operators.h>
 
+#include <magmpm/elliptic/elliptic_space.h>
 #include <magmpm/lattice/cell_stencil.h>
-#include <magmpm/elliptic/potential_space.h>
 
 #include <functional>
 
 namespace magmpm
 {
   /**
-   * The Jacobian of the potential problem, without a matrix:
-   *   a(u, v) = int grad v . K grad u  +  sum_K v^T R_K u,   K = I + dM/dH,
-   * K symmetric positive definite at every quadrature point, R_K the element matrices of the open
-   * boundary (OpenBoundary). K is stored only for batches of cells that hold material, R_K for those at
-   * the boundary; elsewhere K = I costs nothing. In double on the active cells (CG) and in float on
+   * The Jacobian of an elliptic problem, without a matrix:
+   *   a(u, v) = int grad v . K grad u  +  sum_C v^T R_C u,
+   * K symmetric positive definite at every quadrature point, R_C the element matrices of the cells at the
+   * open boundary (OpenBoundary). K is stored only for batches of cells that a medium fills, R_C for
+   * those at the boundary; elsewhere K = I costs nothing. In double on the active cells (CG) and in float on
    * the levels of multigrid; for any number of SIMD lanes.
    */
   template <int dim, typename Number>
-  class PotentialOperator
+  class EllipticOperator
     : public dealii::MatrixFreeOperators::
         Base<dim, dealii::LinearAlgebra::distributed::Vector<Number>, CellLanes<Number>>
   {
@@ -33,7 +33,7 @@ namespace magmpm
     static constexpr unsigned int n_cell_dofs = Evaluation::static_dofs_per_cell;
 
     /** The n_points<dim> tensors of a cell (batch, lane), or a null pointer where K = I. */
-    using CellPermeability =
+    using CellCoefficient =
       std::function<const dealii::SymmetricTensor<2, dim> *(const unsigned int,
                                                             const unsigned int)>;
 
@@ -48,7 +48,7 @@ namespace magmpm
                      const unsigned int level);
 
     void
-    set_permeability(const CellPermeability &permeability);
+    set_coefficient(const CellCoefficient &coefficient);
 
     void
     set_boundary_matrices(const CellMatrix &matrices);

@@ -2,23 +2,23 @@
 
 #include <deal.II/base/symmetric_tensor.h>
 
+#include <magmpm/elliptic/elliptic_operator.h>
+#include <magmpm/elliptic/elliptic_parameters.h>
+#include <magmpm/elliptic/elliptic_space.h>
 #include <magmpm/elliptic/linear_solve_result.h>
-#include <magmpm/magnetics/magnetics_parameters.h>
 #include <magmpm/elliptic/open_boundary.h>
-#include <magmpm/elliptic/potential_operator.h>
-#include <magmpm/elliptic/potential_space.h>
 
 #include <functional>
 #include <memory>
 
 namespace magmpm
 {
-  /** What the Jacobian is made of: see PotentialOperator. */
+  /** What the Jacobian is made of: see EllipticOperator. */
   template <int dim>
   struct JacobianData
   {
-    /** The n_points<dim> tensors I + dM/dH of a lattice cell, or a null pointer without material. */
-    std::function<const dealii::SymmetricTensor<2, dim> *(const unsigned int)> permeability;
+    /** K at the n_points<dim> points of a lattice cell, or a null pointer where it is 1. */
+    std::function<const dealii::SymmetricTensor<2, dim> *(const unsigned int)> coefficient;
 
     const OpenBoundary<dim> &boundary;
   };
@@ -28,10 +28,10 @@ namespace magmpm
    * step, always; what approximates its inverse may be of an earlier one, since it is dear to set up.
    */
   template <int dim>
-  class PotentialSolver
+  class EllipticSolver
   {
   public:
-    virtual ~PotentialSolver() = default;
+    virtual ~EllipticSolver() = default;
 
     /** Takes over the Jacobian of the next solves, as far as this solver has its own. Collective. */
     virtual void
@@ -51,7 +51,7 @@ namespace magmpm
      * @param x          fitting @p right_hand_side; hanging nodes not filled in.
      */
     virtual LinearSolveResult
-    solve(const PotentialOperator<dim, double> &jacobian,
+    solve(const EllipticOperator<dim, double> &jacobian,
           const PotentialVector &right_hand_side,
           const double tolerance,
           const int max_iterations,
@@ -60,6 +60,6 @@ namespace magmpm
 
   /** The solver that the parameters ask for, on one state of the mesh; to be rebuilt first. */
   template <int dim>
-  std::unique_ptr<PotentialSolver<dim>>
-  make_potential_solver(const Preconditioner type, const PotentialSpace<dim> &space);
+  std::unique_ptr<EllipticSolver<dim>>
+  make_elliptic_solver(const Preconditioner type, const EllipticSpace<dim> &space);
 } // namespace magmpm

@@ -4,17 +4,14 @@
 
 namespace magmpm
 {
-  /** What one solution of the potential problem took and gave. */
-  struct SolveReport
+  /** What one solution of an elliptic problem took. */
+  struct EllipticReport
   {
     NewtonReport newton;
     double zero_residual          = 0.; ///< norm at zero potential: the tolerance refers to it
     bool preconditioner_rebuilt   = false;
-    double energy                 = 0.; ///< U = -mu_0 min Pi [J]; J/m in 2D
+    double minimum                = 0.; ///< of the functional Pi whose derivative is the residual
     unsigned long long n_unknowns = 0;
-
-    unsigned long clipped_fractions   = 0; ///< nodes, see SharpIndicator
-    unsigned long clipped_corrections = 0; ///< nodes, see SharpIndicator
 
     /** Residual at the start over that at zero potential: 1 from zero, smaller from the last solution. */
     double
@@ -36,10 +33,8 @@ namespace magmpm
       archive &newton;
       archive &zero_residual;
       archive &preconditioner_rebuilt;
-      archive &energy;
+      archive &minimum;
       archive &n_unknowns;
-      archive &clipped_fractions;
-      archive &clipped_corrections;
     }
   };
 } // namespace magmpm

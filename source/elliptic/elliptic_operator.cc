@@ -1,6 +1,6 @@
 #include <deal.II/matrix_free/tools.h>
 
-#include <magmpm/elliptic/potential_operator.h>
+#include <magmpm/elliptic/elliptic_operator.h>
 
 namespace magmpm
 {
@@ -30,7 +30,7 @@ namespace magmpm
 
   template <int dim, typename Number>
   void
-  PotentialOperator<dim, Number>::clear()
+  EllipticOperator<dim, Number>::clear()
   {
     first_tensor.clear();
     first_matrix.clear();
@@ -42,14 +42,14 @@ namespace magmpm
 
   template <int dim, typename Number>
   void
-  PotentialOperator<dim, Number>::set_permeability(const CellPermeability &permeability)
+  EllipticOperator<dim, Number>::set_coefficient(const CellCoefficient &coefficient)
   {
     const CellBatches<dim, Number> &cells = *this->data;
     first_tensor.assign(cells.n_cell_batches(), invalid_entry);
     tensors.resize(0);
     for (unsigned int batch = 0; batch < cells.n_cell_batches(); ++batch)
       for (unsigned int lane = 0; lane < cells.n_active_entries_per_cell_batch(batch); ++lane)
-        if (const auto *values = permeability(batch, lane))
+        if (const auto *values = coefficient(batch, lane))
           {
             if (first_tensor[batch] == invalid_entry)
               {
@@ -68,7 +68,7 @@ namespace magmpm
 
   template <int dim, typename Number>
   void
-  PotentialOperator<dim, Number>::set_boundary_matrices(const CellMatrix &cell_matrix)
+  EllipticOperator<dim, Number>::set_boundary_matrices(const CellMatrix &cell_matrix)
   {
     const CellBatches<dim, Number> &cells = *this->data;
     constexpr unsigned int size           = n_cell_dofs * n_cell_dofs;
@@ -90,10 +90,10 @@ namespace magmpm
   }
 
   template <int dim, typename Number>
-  typename PotentialOperator<dim, Number>::Lanes
-  PotentialOperator<dim, Number>::boundary_product(const unsigned int batch,
-                                                   const Lanes *values,
-                                                   Lanes *product) const
+  typename EllipticOperator<dim, Number>::Lanes
+  EllipticOperator<dim, Number>::boundary_product(const unsigned int batch,
+                                                  const Lanes *values,
+                                                  Lanes *product) const
   {
     std::fill_n(product, n_cell_dofs, Lanes(Number(0.)));
     Lanes quadratic_form = Number(0.);
@@ -112,7 +112,7 @@ namespace magmpm
 
   template <int dim, typename Number>
   void
-  PotentialOperator<dim, Number>::apply_to_cell(Evaluation &u) const
+  EllipticOperator<dim, Number>::apply_to_cell(Evaluation &u) const
   {
     // integrate() below overwrites the values of the cell.
     const unsigned int batch = u.get_current_cell_index();
@@ -137,7 +137,7 @@ namespace magmpm
 
   template <int dim, typename Number>
   void
-  PotentialOperator<dim, Number>::apply_add(VectorType &dst, const VectorType &src) const
+  EllipticOperator<dim, Number>::apply_add(VectorType &dst, const VectorType &src) const
   {
     this->data->template cell_loop<VectorType, VectorType>(
       [this](const CellBatches<dim, Number> &cells,
@@ -161,7 +161,7 @@ namespace magmpm
 
   template <int dim, typename Number>
   void
-  PotentialOperator<dim, Number>::initialize_level(
+  EllipticOperator<dim, Number>::initialize_level(
     const std::shared_ptr<const CellBatches<dim, Number>> &cells,
     const dealii::MGConstrainedDoFs &constraints,
     const unsigned int level)
@@ -189,7 +189,7 @@ namespace magmpm
 
   template <int dim, typename Number>
   void
-  PotentialOperator<dim, Number>::vmult_interface_down(VectorType &dst, const VectorType &src) const
+  EllipticOperator<dim, Number>::vmult_interface_down(VectorType &dst, const VectorType &src) const
   {
     edge_only = true;
     Base::vmult_interface_down(dst, src);
@@ -198,7 +198,7 @@ namespace magmpm
 
   template <int dim, typename Number>
   void
-  PotentialOperator<dim, Number>::vmult_interface_up(VectorType &dst, const VectorType &src) const
+  EllipticOperator<dim, Number>::vmult_interface_up(VectorType &dst, const VectorType &src) const
   {
     edge_only = true;
     Base::vmult_interface_up(dst, src);
@@ -207,7 +207,7 @@ namespace magmpm
 
   template <int dim, typename Number>
   void
-  PotentialOperator<dim, Number>::cell_diagonal(const Evaluation &u, Lanes *diagonal) const
+  EllipticOperator<dim, Number>::cell_diagonal(const Evaluation &u, Lanes *diagonal) const
   {
     constexpr unsigned int n = n_points_1d;
     static_assert(n == potential_degree + 1, "contractions are done in place");
@@ -249,7 +249,7 @@ namespace magmpm
 
   template <int dim, typename Number>
   void
-  PotentialOperator<dim, Number>::compute_diagonal()
+  EllipticOperator<dim, Number>::compute_diagonal()
   {
     const CellBatches<dim, Number> &cells = *this->data;
     this->inverse_diagonal_entries        = std::make_shared<dealii::DiagonalMatrix<VectorType>>();
@@ -276,8 +276,8 @@ namespace magmpm
       entry = Number(1.) / entry;
   }
 
-  template class PotentialOperator<2, double>;
-  template class PotentialOperator<3, double>;
-  template class PotentialOperator<2, float>;
-  template class PotentialOperator<3, float>;
+  template class EllipticOperator<2, double>;
+  template class EllipticOperator<3, double>;
+  template class EllipticOperator<2, float>;
+  template class EllipticOperator<3, float>;
 } // namespace magmpm

@@ -31,19 +31,19 @@ namespace magmpm
   using PotentialVector = dealii::LinearAlgebra::distributed::Vector<double>;
 
   /**
-   * The FE_Q(2) space of the scalar potential on one state of the mesh: degrees of freedom, hanging
+   * The FE_Q(2) space of the potential on one state of the mesh: degrees of freedom, hanging
    * nodes, deal.II's MatrixFree, and the lattice cells (locally owned cells of the finest edge, 2 dx or
-   * dx, the only ones that can hold material). Built anew after each change of the mesh. This header, unlike the
-   * public ones of this room, includes deal.II.
+   * dx, the only ones that a medium can fill). Built anew after each change of the mesh. Other rooms
+   * meet it by elliptic_problem.h, which does not include deal.II.
    */
   template <int dim>
-  class PotentialSpace
+  class EllipticSpace
   {
   public:
     using CellIterator = typename dealii::Triangulation<dim>::cell_iterator;
 
     /** @param with_levels  also number the degrees of freedom on the levels, for multigrid. */
-    PotentialSpace(const BackgroundMesh<dim> &mesh, const bool with_levels);
+    EllipticSpace(const BackgroundMesh<dim> &mesh, const bool with_levels);
 
     const BackgroundMesh<dim> &mesh;
 
@@ -90,11 +90,11 @@ namespace magmpm
     set_up_matrix_free();
   };
 
-  /** A potential [A] and the space it belongs to. */
+  /** A potential and the space it belongs to. */
   template <int dim>
-  struct PotentialSolution
+  struct EllipticSolution
   {
-    std::unique_ptr<const PotentialSpace<dim>> space;
+    std::unique_ptr<const EllipticSpace<dim>> space;
     PotentialVector potential; ///< hanging nodes not filled in
   };
 } // namespace magmpm

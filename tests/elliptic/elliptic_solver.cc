@@ -1,6 +1,6 @@
 #include "catch.h"
 
-#include <magmpm/elliptic/potential_space.h>
+#include <magmpm/elliptic/elliptic_space.h>
 
 #include <verification/magnetostatics/sources.h>
 #include <verification/magnetostatics/sphere_solve.h>
@@ -40,7 +40,7 @@ namespace
              const Preconditioner preconditioner,
              const std::array<bool, 2 * dim> &shielded = {})
   {
-    parameters.preconditioner = preconditioner;
+    parameters.solver.preconditioner = preconditioner;
     return std::make_unique<SampledSetup<dim>>(32, spacing, 2., parameters, shielded);
   }
 
@@ -70,10 +70,10 @@ TEMPLATE_TEST_CASE_SIG("The potential does not depend on the preconditioner",
   CAPTURE(law == MagnetizationLaw::linear, shielded);
 
   MagneticsParameters<dim> parameters;
-  parameters.law                 = law;
-  parameters.newton_tolerance    = 1e-11;
-  std::array<bool, 2 *dim> faces = {};
-  faces[2 * dim - 2]             = shielded;
+  parameters.law                     = law;
+  parameters.solver.newton_tolerance = 1e-11;
+  std::array<bool, 2 *dim> faces     = {};
+  faces[2 * dim - 2]                 = shielded;
 
   const auto gmg   = make_scene<dim>(parameters, Preconditioner::gmg, faces);
   const auto ml    = make_scene<dim>(parameters, Preconditioner::ml, faces);
@@ -153,8 +153,8 @@ TEST_CASE("A linear system that is not solved is an error", "[elliptic][mpi]")
     {
       CAPTURE(to_string(preconditioner));
       MagneticsParameters<3> parameters;
-      parameters.max_cg_iterations = 1;
-      const auto scene             = make_scene<3>(parameters, preconditioner);
+      parameters.solver.max_cg_iterations = 1;
+      const auto scene                    = make_scene<3>(parameters, preconditioner);
       scene->set_bodies({test_sphere<3>(16.)});
       CHECK_THROWS_WITH(
         scene->problem.solve(scene->content, uniform_field<3>()),

@@ -1,13 +1,14 @@
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_tools.h>
 
-#include <magmpm/elliptic/potential_space.h>
+#include <magmpm/elliptic/elliptic_space.h>
 #include <magmpm/lattice/cell_stencil.h>
 
 namespace magmpm
 {
   template <int dim>
-  PotentialSpace<dim>::PotentialSpace(const BackgroundMesh<dim> &mesh, const bool with_levels)
+  EllipticSpace<dim>::EllipticSpace(const BackgroundMesh<dim> &mesh, const bool with_levels)
     : mesh(mesh)
     , fe(potential_degree)
     , dof_handler(mesh.triangulation())
@@ -26,7 +27,7 @@ namespace magmpm
 
   template <int dim>
   void
-  PotentialSpace<dim>::set_up_matrix_free()
+  EllipticSpace<dim>::set_up_matrix_free()
   {
     typename CellBatches<dim, double>::AdditionalData data;
     data.tasks_parallel_scheme = CellBatches<dim, double>::AdditionalData::none;
@@ -38,7 +39,7 @@ namespace magmpm
 
   template <int dim>
   void
-  PotentialSpace<dim>::find_lattice_cells()
+  EllipticSpace<dim>::find_lattice_cells()
   {
     const Lattice<dim> &lattice = mesh.lattice();
     const auto &triangulation   = mesh.triangulation();
@@ -81,7 +82,7 @@ namespace magmpm
 
   template <int dim>
   PotentialVector
-  PotentialSpace<dim>::make_vector() const
+  EllipticSpace<dim>::make_vector() const
   {
     PotentialVector vector;
     matrix_free->initialize_dof_vector(vector);
@@ -90,7 +91,7 @@ namespace magmpm
 
   template <int dim>
   PotentialVector
-  PotentialSpace<dim>::with_ghosts(const PotentialVector &potential) const
+  EllipticSpace<dim>::with_ghosts(const PotentialVector &potential) const
   {
     PotentialVector copy(
       dof_handler.locally_owned_dofs(), relevant_dofs, mesh.triangulation().get_communicator());
@@ -100,6 +101,6 @@ namespace magmpm
     return copy;
   }
 
-  template class PotentialSpace<2>;
-  template class PotentialSpace<3>;
+  template class EllipticSpace<2>;
+  template class EllipticSpace<3>;
 } // namespace magmpm

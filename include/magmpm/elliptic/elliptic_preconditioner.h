@@ -1,6 +1,6 @@
 #pragma once
 
-#include <magmpm/elliptic/potential_solver.h>
+#include <magmpm/elliptic/elliptic_solver.h>
 
 namespace magmpm
 {
@@ -9,14 +9,14 @@ namespace magmpm
    * the Jacobian without a matrix.
    */
   template <int dim>
-  class PotentialPreconditioner : public PotentialSolver<dim>
+  class EllipticPreconditioner : public EllipticSolver<dim>
   {
   public:
     virtual void
     vmult(PotentialVector &dst, const PotentialVector &src) const = 0;
 
     LinearSolveResult
-    solve(const PotentialOperator<dim, double> &jacobian,
+    solve(const EllipticOperator<dim, double> &jacobian,
           const PotentialVector &right_hand_side,
           const double tolerance,
           const int max_iterations,

@@ -1,16 +1,16 @@
 #include <deal.II/lac/solver_cg.h>
 
-#include <magmpm/elliptic/potential_preconditioner.h>
+#include <magmpm/elliptic/elliptic_preconditioner.h>
 
 namespace magmpm
 {
   template <int dim>
   LinearSolveResult
-  PotentialPreconditioner<dim>::solve(const PotentialOperator<dim, double> &jacobian,
-                                      const PotentialVector &right_hand_side,
-                                      const double tolerance,
-                                      const int max_iterations,
-                                      PotentialVector &x)
+  EllipticPreconditioner<dim>::solve(const EllipticOperator<dim, double> &jacobian,
+                                     const PotentialVector &right_hand_side,
+                                     const double tolerance,
+                                     const int max_iterations,
+                                     PotentialVector &x)
   {
     dealii::SolverControl control(max_iterations, tolerance);
     dealii::SolverCG<PotentialVector> cg(control);
@@ -26,6 +26,6 @@ namespace magmpm
     return {static_cast<int>(control.last_step()), ""};
   }
 
-  template class PotentialPreconditioner<2>;
-  template class PotentialPreconditioner<3>;
+  template class EllipticPreconditioner<2>;
+  template class EllipticPreconditioner<3>;
 } // namespace magmpm

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <magmpm/base/tensor.h>
+
+namespace magmpm
+{
+  /** The magnetic medium at one quadrature point. */
+  template <int dim>
+  struct MaterialSample
+  {
+    Vector<dim> position;      ///< [m]
+    double weight;             ///< of the quadrature [m^dim]
+    double fraction;           ///< of the volume that is magnetic material [-]
+    Vector<dim> field;         ///< H, the total one, in the material [A/m]
+    Vector<dim> magnetization; ///< mean M over material and vacuum [A/m]: int M is the moment
+    double number_density;     ///< of grains, mean over material and vacuum [1/m^3]
+  };
+} // namespace magmpm
