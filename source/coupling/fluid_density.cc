@@ -1,4 +1,5 @@
 #include <magmpm/coupling/fluid_density.h>
+#include <magmpm/parallel/reduce.h>
 
 namespace magmpm
 {

@@ -1,6 +1,5 @@
-#include <deal.II/base/mpi.h>
-
 #include <magmpm/elliptic/elliptic_residual.h>
+#include <magmpm/parallel/reduce.h>
 
 namespace magmpm
 {
@@ -100,7 +99,7 @@ namespace magmpm
   double
   EllipticResidual<dim>::functional() const
   {
-    return dealii::Utilities::MPI::sum(local_functional, communicator);
+    return parallel::sum(local_functional, communicator);
   }
 
   template class EllipticResidual<2>;

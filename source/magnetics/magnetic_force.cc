@@ -1,4 +1,5 @@
 #include <magmpm/base/constants.h>
+#include <magmpm/lattice/node_window.h>
 #include <magmpm/magnetics/magnetic_force.h>
 
 namespace magmpm
@@ -38,7 +39,7 @@ namespace magmpm
                      const Action &action)
     {
       potential.for_gradients(
-        [&](const unsigned int cell) { return material.slot(cell) != invalid_slot; },
+        [&](const unsigned int cell) { return material.cells().is_active(cell); },
         [&](const unsigned int cell, const PointVectors<dim> &gradients) {
           PointVectors<dim> self_field;
           for (int q = 0; q < n_points<dim>; ++q)
@@ -104,7 +105,7 @@ namespace magmpm
           for (int lane = 0; lane < n; ++lane)
             {
               const int q         = first + lane;
-              const double weight = constants::vacuum_permeability * material.weight(q);
+              const double weight = constants::vacuum_permeability * material.cells().weight(q);
               forces.set_stress(q, -weight * inverse_spacing, lane_of(tensors, lane));
               const Vector<dim> density = material.source_gradient(first_point + q) *
                                           lane_of(batch.response.mean.magnetization, lane);
@@ -123,16 +124,6 @@ namespace magmpm
     {
       return source_field +
              lane_of(batch.self_field + (1. - batch.fraction) * batch.response.jump, lane);
-    }
-
-    /** Calls action(slot, node) for all nodes of owned blocks. */
-    template <int dim, typename Action>
-    void
-    for_owned_nodes(const BlockSet<dim> &blocks, const Action &action)
-    {
-      for (int slot = 0; slot < blocks.n_owned(); ++slot)
-        for (int node = 0; node < nodes_per_block<dim>; ++node)
-          action(slot, node);
     }
 
     /**
@@ -169,8 +160,8 @@ namespace magmpm
                       NodeField<dim> &force)
   {
     const BlockSet<dim> &blocks     = partition.blocks();
-    const double inverse_spacing    = 1. / material.lattice().spacing;
-    const CellStencil<dim> &stencil = material.stencil();
+    const double inverse_spacing    = 1. / material.cells().spacing();
+    const CellStencil<dim> &stencil = material.cells().stencil();
     force.reinit(blocks.size());
 
     for_active_cells(
@@ -182,7 +173,7 @@ namespace magmpm
         else
           for (int q = 0; q < n_points<dim>; ++q)
             forces.set_stress(q,
-                              -constants::vacuum_permeability * material.weight(q) *
+                              -constants::vacuum_permeability * material.cells().weight(q) *
                                 inverse_spacing,
                               vacuum_stress(self_field[q]));
         StencilValues<dim> nodes = {};
@@ -190,11 +181,11 @@ namespace magmpm
           stencil.add_tested_by_derivative(forces.stress[axis], axis, nodes);
         if (first != material.none)
           stencil.add_tested(forces.body, nodes);
-        stencil.scatter_add(nodes, blocks, material.slot(cell), material.corner(cell), force);
+        material.cells().scatter_add(nodes, cell, force);
       });
 
     partition.add_ghosts_to_owners(force);
-    for_owned_nodes(blocks, [&](const int slot, const int node) {
+    for_nodes(blocks, [&](const int slot, const int node) {
       if (!is_covered<dim>(blocks, slot, node))
         std::fill_n(force.node(slot, node), dim, 0.);
     });
@@ -208,7 +199,7 @@ namespace magmpm
                          NodeField<dim> &field)
   {
     const BlockSet<dim> &blocks     = partition.blocks();
-    const CellStencil<dim> &stencil = material.stencil();
+    const CellStencil<dim> &stencil = material.cells().stencil();
     field.reinit(blocks.size());
     // The weight takes the fourth lane: this is why it is free to the caller.
     for_active_cells(
@@ -224,7 +215,8 @@ namespace magmpm
             for (int lane = 0; lane < n; ++lane)
               {
                 const int q         = first_of_batch + lane;
-                const double weight = material.weight(q) * material.volume_fraction(first + q);
+                const double weight = material.cells().weight(q) *
+                                      material.volume_fraction(first + q);
                 const Vector<dim> total =
                   material_field(material.source_field(first + q), batch, lane);
                 for (int d = 0; d < dim; ++d)
@@ -234,11 +226,11 @@ namespace magmpm
           });
         StencilValues<dim> nodes = {};
         stencil.add_tested(values, nodes);
-        stencil.scatter_add(nodes, blocks, material.slot(cell), material.corner(cell), field);
+        material.cells().scatter_add(nodes, cell, field);
       });
 
     partition.add_ghosts_to_owners(field);
-    for_owned_nodes(blocks, [&](const int slot, const int node) {
+    for_nodes(blocks, [&](const int slot, const int node) {
       double *lanes       = field.node(slot, node);
       const double weight = lanes[n_lanes - 1];
       for (int d = 0; d < dim && weight > 0.; ++d)
@@ -266,12 +258,12 @@ namespace magmpm
               {
                 const int q              = first_of_batch + lane;
                 const unsigned int point = first + q;
-                samples[point] = {material.cell_position(cell) + material.point_position(q),
-                                  material.weight(q),
-                                  material.volume_fraction(point),
-                                  material_field(material.source_field(point), batch, lane),
-                                  lane_of(batch.response.mean.magnetization, lane),
-                                  material.fraction(point) * material.number_density(point)};
+                samples[point]           = {material.cells().point(cell, q),
+                                            material.cells().weight(q),
+                                            material.volume_fraction(point),
+                                            material_field(material.source_field(point), batch, lane),
+                                            lane_of(batch.response.mean.magnetization, lane),
+                                            material.fraction(point) * material.number_density(point)};
               }
           });
       });

@@ -1,10 +1,10 @@
-#include <deal.II/base/mpi.h>
 #include <magmpm/base/constants.h>
 #include <magmpm/magnetics/force_handover.h>
 #include <magmpm/magnetics/magnetic_force.h>
 #include <magmpm/magnetics/potential_problem.h>
 #include <magmpm/mesh/mirror_images.h>
 #include <magmpm/parallel/phase_timer.h>
+#include <magmpm/parallel/reduce.h>
 
 namespace magmpm
 {
@@ -30,16 +30,14 @@ namespace magmpm
     points.reinit(potential.lattice_cells(), content, sources);
 
     // Weights by |M| in the sources' field alone: the centre then depends on the present state only.
-    const auto local = points.magnetized_weight();
-    std::array<double, dim + 1> sums;
-    std::copy_n(local.second.values, dim, sums.begin());
-    sums[dim] = local.first;
-    dealii::Utilities::MPI::sum(dealii::ArrayView<const double>(sums.data(), sums.size()),
-                                mesh.communicator(),
-                                dealii::ArrayView<double>(sums.data(), sums.size()));
+    auto [weight, moment] = points.magnetized_weight();
+    parallel::Reduction reduction;
+    reduction.sum(weight);
+    reduction.sum(moment);
+    reduction.carry_out(mesh.communicator());
     Vector<dim> centre = potential.middle();
-    for (int d = 0; d < dim && sums[dim] > 0.; ++d)
-      centre[d] = sums[d] / sums[dim];
+    for (int d = 0; d < dim && weight > 0.; ++d)
+      centre[d] = moment[d] / weight;
     potential.set_boundary(parameters.shielded, centre);
   }
 
@@ -52,10 +50,12 @@ namespace magmpm
     SolveReport report;
     static_cast<EllipticReport &>(report) = potential.solve(points);
     report.energy                         = -constants::vacuum_permeability * report.minimum;
-    report.clipped_fractions = dealii::Utilities::MPI::sum(points.indicator().n_clipped_fractions(),
-                                                           mesh.communicator());
-    report.clipped_corrections =
-      dealii::Utilities::MPI::sum(points.indicator().n_clipped_corrections(), mesh.communicator());
+    report.clipped_fractions              = points.indicator().n_clipped_fractions();
+    report.clipped_corrections            = points.indicator().n_clipped_corrections();
+    parallel::Reduction reduction;
+    reduction.sum(report.clipped_fractions);
+    reduction.sum(report.clipped_corrections);
+    reduction.carry_out(mesh.communicator());
     return report;
   }
 
@@ -67,11 +67,9 @@ namespace magmpm
     compute_split_force(potential, points, partition, force);
     // The quadrature ends at a mirror, where stress does not: the force needs that of both sides.
     add_mirror_images_of_vector(partition, mesh.lattice(), parameters.shielded, force);
-    Vector<dim> dropped = hand_force_inward(partition, mass, force);
+    const Vector<dim> dropped = hand_force_inward(partition, mass, force);
     partition.update_ghosts(force);
-    for (int d = 0; d < dim; ++d)
-      dropped[d] = dealii::Utilities::MPI::sum(dropped[d], mesh.communicator());
-    return dropped;
+    return parallel::sum(dropped, mesh.communicator());
   }
 
   template <int dim>

@@ -1,3 +1,4 @@
+#include <magmpm/lattice/node_window.h>
 #include <magmpm/mesh/mirror_images.h>
 #include <magmpm/mesh/node_filters.h>
 #include <magmpm/surface/sharp_indicator.h>
@@ -8,8 +9,6 @@ namespace magmpm
 {
   namespace
   {
-    constexpr double smallest_full      = 1e-3;
-    constexpr double transition         = 0.8; ///< in v/w
     constexpr double lowest_correction  = 0.5;
     constexpr double highest_correction = 5.;
     constexpr int n_smoothing_passes    = 3;
@@ -19,15 +18,6 @@ namespace magmpm
 
     /** A clipped correction counts where a node holds more than this of its cell. */
     constexpr double counted_volume = 1e-3;
-
-    template <int dim, typename Action>
-    void
-    for_nodes(NodeField<dim> &field, const int n_blocks, const Action &action)
-    {
-      for (int slot = 0; slot < n_blocks; ++slot)
-        for (int node = 0; node < nodes_per_block<dim>; ++node)
-          action(field.node(slot, node), slot, node);
-    }
   } // namespace
 
   template <int dim>
@@ -35,84 +25,136 @@ namespace magmpm
   SharpIndicator<dim>::reinit(const BlockPartition<dim> &partition,
                               const Lattice<dim> &lattice,
                               const std::array<bool, 2 * dim> &shielded,
-                              const NodeField<dim> &content)
+                              const LatticeCells<dim> &cells,
+                              const NodeField<dim> &volumes,
+                              const std::function<bool(const Vector<dim> &)> &is_excluded)
   {
-    const int n_blocks = partition.blocks().size();
-    nodes.reinit(n_blocks);
-    for_nodes(nodes, n_blocks, [&](double *lanes, const int slot, const int node) {
-      lanes[volume] = content.node(slot, node)[0];
-    });
-    remove_smear(partition, nodes);
-    copy_mirror_images(partition, lattice, shielded, nodes);
+    sharp.reinit(partition, lattice, shielded, volumes);
 
-    // Twice over 3^dim nodes is once over 5^dim.
-    NodeField<dim> largest(nodes);
-    for (int pass = 0; pass < 2; ++pass)
-      {
-        maximize(partition, largest);
-        copy_mirror_images(partition, lattice, shielded, largest);
-      }
-
-    clipped_fractions = 0;
-    for_nodes(nodes, n_blocks, [&](double *lanes, const int slot, const int node) {
-      const double around = largest.node(slot, node)[volume];
-      lanes[full]         = std::clamp(around, smallest_full, 1.);
-      lanes[correction]   = 1.;
-      clipped_fractions += slot < partition.blocks().n_owned() && around < smallest_full &&
-                           content.node(slot, node)[0] > 0.;
-    });
+    points.clear();
+    first_point_of_cell.assign(cells.size(), none);
+    NodeField<dim> field; // int f N_i, then q
+    field.reinit(partition.blocks().size());
+    for (unsigned int cell = 0; cell < cells.size(); ++cell)
+      if (cells.is_active(cell))
+        find_fractions(cells, cell, is_excluded, field);
+    find_correction(partition, lattice, shielded, volumes, field);
+    for (unsigned int cell = 0; cell < cells.size(); ++cell)
+      if (first_point_of_cell[cell] != none)
+        complete_points(cells, cell, field);
   }
 
   template <int dim>
   void
-  SharpIndicator<dim>::set_correction(const BlockPartition<dim> &partition,
-                                      const Lattice<dim> &lattice,
-                                      const std::array<bool, 2 * dim> &shielded,
-                                      const NodeField<dim> &content,
+  SharpIndicator<dim>::find_fractions(const LatticeCells<dim> &cells,
+                                      const unsigned int cell,
+                                      const std::function<bool(const Vector<dim> &)> &is_excluded,
                                       NodeField<dim> &tested_fraction)
   {
-    const int n_blocks = partition.blocks().size();
-    partition.add_ghosts_to_owners(tested_fraction);
-    partition.update_ghosts(tested_fraction);
-    add_mirror_images(partition, lattice, shielded, tested_fraction);
+    using Sharp             = SharpFraction<dim>;
+    const double per_volume = 1. / std::pow(cells.spacing(), dim);
+    StencilValues<dim> nodes;
+    PointValues<dim> values;
+    cells.gather(sharp.field(), cell, nodes);
+    bool has_volume = false;
+    for (int i = 0; i < n_stencil_nodes<dim> && !has_volume; ++i)
+      has_volume = nodes[i * n_lanes + Sharp::volume] > 0.;
+    if (!has_volume)
+      return;
 
-    // Smoothed together: lane 0 is W, lane 1 is A; then lane 0 is their ratio less 1.
-    const auto smooth_passes = [&](NodeField<dim> &field) {
+    cells.stencil().interpolate(nodes, values);
+    std::array<Point, n_points<dim>> here;
+    bool has_material = false;
+    for (int q = 0; q < n_points<dim>; ++q)
+      {
+        double *lanes    = &values[q * n_lanes];
+        double &fraction = here[q].fraction;
+        fraction         = Sharp::fraction(lanes[Sharp::volume], lanes[Sharp::full]);
+        if (fraction > 0. && is_excluded(cells.point(cell, q)))
+          fraction = 0.;
+        has_material = has_material || fraction > 0.;
+        std::fill_n(lanes, n_lanes, 0.);
+        lanes[0] = fraction * cells.weight(q) * per_volume;
+      }
+    if (!has_material)
+      return;
+
+    first_point_of_cell[cell] = static_cast<unsigned int>(points.size());
+    points.insert(points.end(), here.begin(), here.end());
+    nodes.fill(0.);
+    cells.stencil().add_tested(values, nodes);
+    cells.scatter_add(nodes, cell, tested_fraction);
+  }
+
+  template <int dim>
+  void
+  SharpIndicator<dim>::find_correction(const BlockPartition<dim> &partition,
+                                       const Lattice<dim> &lattice,
+                                       const std::array<bool, 2 * dim> &shielded,
+                                       const NodeField<dim> &volumes,
+                                       NodeField<dim> &field)
+  {
+    const BlockSet<dim> &blocks = partition.blocks();
+    partition.add_ghosts_to_owners(field);
+    partition.update_ghosts(field);
+    add_mirror_images(partition, lattice, shielded, field);
+
+    // Smoothed together: lane 0 is W, lane 1 is A; then lane 0 is their ratio.
+    const auto smooth_passes = [&] {
       for (int pass = 0; pass < n_smoothing_passes; ++pass)
         {
           smooth(partition, field);
           copy_mirror_images(partition, lattice, shielded, field);
         }
     };
-    for_nodes(tested_fraction, n_blocks, [&](double *lanes, const int slot, const int node) {
-      lanes[1] = content.node(slot, node)[0];
+    for_nodes_and_ghosts(blocks, [&](const int slot, const int node) {
+      field.node(slot, node)[1] = volumes.node(slot, node)[0];
     });
-    smooth_passes(tested_fraction);
+    smooth_passes();
 
     clipped_corrections = 0;
-    for_nodes(tested_fraction, n_blocks, [&](double *lanes, const int slot, const int) {
+    for_nodes_and_ghosts(blocks, [&](const int slot, const int node) {
+      double *lanes         = field.node(slot, node);
       const bool has_volume = lanes[0] > negligible_volume;
       const double ratio    = has_volume ? lanes[1] / lanes[0] : 1.;
       lanes[0]              = std::clamp(ratio, lowest_correction, highest_correction);
-      clipped_corrections += slot < partition.blocks().n_owned() && lanes[1] > counted_volume &&
+      clipped_corrections += slot < blocks.n_owned() && lanes[1] > counted_volume &&
                              ratio != lanes[0];
       lanes[1] = 0.;
     });
-    smooth_passes(tested_fraction);
-    for_nodes(nodes, n_blocks, [&](double *lanes, const int slot, const int node) {
-      lanes[correction] = tested_fraction.node(slot, node)[0];
-    });
+    smooth_passes();
   }
 
   template <int dim>
-  double
-  SharpIndicator<dim>::fraction(const double volume, const double full)
+  void
+  SharpIndicator<dim>::complete_points(const LatticeCells<dim> &cells,
+                                       const unsigned int cell,
+                                       const NodeField<dim> &correction)
   {
-    if (!(volume > 0.))
-      return 0.;
-    const double w = std::max(full, smallest_full); // nodes that are not active count as zero
-    const double t = std::clamp(0.5 + (volume / w - 0.5) / transition, 0., 1.);
-    return w * t * t * (3. - 2. * t);
+    const auto first = points.begin() + first_point_of_cell[cell];
+    StencilValues<dim> nodes;
+    PointValues<dim> values;
+    cells.gather(correction, cell, nodes);
+    cells.stencil().interpolate(nodes, values);
+    for (int q = 0; q < n_points<dim>; ++q)
+      first[q].correction = values[q * n_lanes];
+
+    // Where all is full, or empty, no normal is asked for.
+    if (std::none_of(first, first + n_points<dim>, [](const Point &point) {
+          return point.fraction > 0. && point.fraction < 1.;
+        }))
+      return;
+    std::array<PointValues<dim>, dim> derivatives;
+    cells.gather(sharp.field(), cell, nodes);
+    for (int d = 0; d < dim; ++d)
+      cells.stencil().interpolate_derivative(nodes, d, derivatives[d]);
+    for (int q = 0; q < n_points<dim>; ++q)
+      {
+        Vector<dim> gradient;
+        for (int d = 0; d < dim; ++d)
+          gradient[d] = derivatives[d][q * n_lanes + SharpFraction<dim>::volume];
+        first[q].normal = SharpFraction<dim>::normal(gradient);
+      }
   }
 
   template class SharpIndicator<2>;

@@ -44,9 +44,8 @@ namespace
       for (unsigned int cell = 0; cell < n_cells; ++cell)
         if (points->first_point(cell) != points->none)
           for (int q = 0; q < n_points<dim>; ++q)
-            sum += points->weight(q) *
-                   action(points->first_point(cell) + q,
-                          points->cell_position(cell) + points->point_position(q));
+            sum += points->cells().weight(q) *
+                   action(points->first_point(cell) + q, points->cells().point(cell, q));
       return parallel::sum(sum, MPI_COMM_WORLD);
     }
 

@@ -26,9 +26,7 @@ namespace magmpm
 
     /** Collective. */
     void
-    relax(const Clock &clock,
-          const BlockPartition<dim> &partition,
-          std::vector<Body<dim>> &bodies);
+    relax(const Clock &clock, const BlockPartition<dim> &partition, std::vector<Body<dim>> &bodies);
 
     void
     reduce(parallel::Reduction &reduction) override;
@@ -53,7 +51,8 @@ namespace magmpm
     const OpenFaces<dim> open;
     bool relaxed_this_step = false;
     DensityError found; ///< by the last relaxation
-    double mean_error =
-      0.; ///< |J - J of the lattice| before it, of particles not next to a free surface
+
+    /** |J - J of the lattice| before it, of particles that are not next to a free surface. */
+    double mean_error = 0.;
   };
 } // namespace magmpm

@@ -4,7 +4,7 @@
 #include <magmpm/coupling/clock.h>
 #include <magmpm/coupling/coupling.h>
 #include <magmpm/coupling/solve_trigger_parameters.h>
-#include <magmpm/elliptic/solve_report.h>
+#include <magmpm/magnetics/solve_report.h>
 #include <magmpm/lattice/lattice.h>
 #include <magmpm/lattice/node_field.h>
 #include <magmpm/magnetics/magnetics_parameters.h>

@@ -10,7 +10,7 @@ namespace magmpm
 {
   /**
    * Smoothed aggregation (Trilinos ML) on the assembled Jacobian, Chebyshev smoother. 15 to 18
-   * iterations for susceptibilities from 1 to 1000; seven times the memory of multigrid.
+   * iterations where K is from 2 to 1000; seven times the memory of multigrid.
    */
   template <int dim>
   class MLPreconditioner : public EllipticPreconditioner<dim>

@@ -1,14 +1,13 @@
 #pragma once
 
 #include <magmpm/elliptic/elliptic_medium.h>
-#include <magmpm/lattice/cell_stencil.h>
+#include <magmpm/lattice/lattice_cells.h>
 #include <magmpm/magnetics/laminate.h>
 #include <magmpm/magnetics/magnetics_parameters.h>
 #include <magmpm/magnets/external_field.h>
 #include <magmpm/surface/sharp_indicator.h>
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -29,7 +28,7 @@ namespace magmpm
   class MaterialPoints : public EllipticMedium<dim>
   {
   public:
-    static constexpr unsigned int none = std::numeric_limits<unsigned int>::max();
+    static constexpr unsigned int none = SharpIndicator<dim>::none;
 
     /** All of these must outlive this object. */
     MaterialPoints(const BackgroundMesh<dim> &mesh,
@@ -59,7 +58,7 @@ namespace magmpm
     bool
     fills(const unsigned int lattice_cell) const override
     {
-      return cells[lattice_cell].first_point != none;
+      return first_points[lattice_cell] != none;
     }
 
     /** q = grad phi - M(H_ext - grad phi), K = 1 + dM/dH; returns int psi, that of the laminate. */
@@ -68,39 +67,18 @@ namespace magmpm
             PointVectors<dim> &flux,
             PointMatrices<dim> &tangent) const override;
 
-    /** The slot of the owned active block that holds a lattice cell, or invalid_slot. */
-    int
-    slot(const unsigned int lattice_cell) const
+    /** The lattice cells and the quadrature points in them. */
+    const LatticeCells<dim> &
+    cells() const
     {
-      return cells[lattice_cell].slot;
-    }
-
-    /** The cell's lower node within its block. */
-    const Index<dim> &
-    corner(const unsigned int lattice_cell) const
-    {
-      return cells[lattice_cell].corner;
+      return the_cells;
     }
 
     /** Number of the first quadrature point of a lattice cell, or none where no material is. */
     unsigned int
     first_point(const unsigned int lattice_cell) const
     {
-      return lattice_cell == none ? none : cells[lattice_cell].first_point;
-    }
-
-    /** The lower node of a lattice cell [m]. */
-    const Vector<dim> &
-    cell_position(const unsigned int lattice_cell) const
-    {
-      return cells[lattice_cell].position;
-    }
-
-    /** Of the quadrature point @p q of every cell from the lower node of the cell [m]. */
-    const Vector<dim> &
-    point_position(const int q) const
-    {
-      return positions[q];
+      return lattice_cell == none ? none : first_points[lattice_cell];
     }
 
     /** Points in cells with material. */
@@ -195,13 +173,6 @@ namespace magmpm
       return points[point].gradient;
     }
 
-    /** Of the quadrature point @p q (0 .. n_points - 1) of every cell; they sum to a cell [m^dim]. */
-    double
-    weight(const int q) const
-    {
-      return weights[q];
-    }
-
     /** Sum over this rank's points of w |M(H of the sources)| {1, x}: weight and first moment. */
     std::pair<double, Vector<dim>>
     magnetized_weight() const
@@ -216,27 +187,7 @@ namespace magmpm
       return the_indicator;
     }
 
-    const Lattice<dim> &
-    lattice() const
-    {
-      return the_lattice;
-    }
-
-    const CellStencil<dim> &
-    stencil() const
-    {
-      return the_stencil;
-    }
-
   private:
-    struct Cell
-    {
-      int slot = invalid_slot;
-      Index<dim> corner;
-      Vector<dim> position;
-      unsigned int first_point = none;
-    };
-
     struct Point
     {
       MagneticContent content;
@@ -249,33 +200,17 @@ namespace magmpm
     };
 
     const BlockPartition<dim> &partition;
-    const Lattice<dim> the_lattice;
+    const Lattice<dim> lattice;
     const MagnetizationModel law;
     const bool is_sharp;
     const std::array<bool, 2 * dim> shielded;
-    const CellStencil<dim> the_stencil;
 
+    LatticeCells<dim> the_cells;
     SharpIndicator<dim> the_indicator;
-    std::vector<Cell> cells;
+    std::vector<unsigned int> first_points; ///< by cell
     std::vector<Point> points;
     double total_weight = 0.;
     Vector<dim> first_moment;
-
-    std::array<double, n_points<dim>> weights;
-    std::array<Vector<dim>, n_points<dim>> positions; ///< from the lower node of a cell [m]
-
-    /** Places the cells that lie in owned active blocks. */
-    void
-    locate_cells(const std::vector<Index<dim>> &lattice_cells);
-
-    /** Gives points with their fraction to cells with material, for the sharp indicator. */
-    void
-    find_fractions(const NodeField<dim> &content, const ExternalField<dim> &sources);
-
-    void
-    find_fractions_of_cell(Cell &cell,
-                           const ExternalField<dim> &sources,
-                           NodeField<dim> &tested_fraction);
 
     /** Gives points to cells with content, for the smeared indicator. */
     void
@@ -283,18 +218,12 @@ namespace magmpm
 
     /** Completes the points of a cell. */
     void
-    set_medium(const Cell &cell, const NodeField<dim> &content, const ExternalField<dim> &sources);
+    set_medium(const unsigned int cell,
+               const NodeField<dim> &content,
+               const ExternalField<dim> &sources);
 
     /** Adds a cell to magnetized_weight(). */
     void
-    add_magnetized_weight(const Cell &cell);
-
-    /** Whether any point of the cell is a mixture, which alone needs nu. */
-    bool
-    has_surface(const Cell &cell) const;
-
-    /** nu at the points of a cell. */
-    void
-    set_normals(const Cell &cell);
+    add_magnetized_weight(const unsigned int cell);
   };
 } // namespace magmpm

@@ -1,80 +1,72 @@
 #pragma once
 
-#include <magmpm/mesh/block_partition.h>
+#include <magmpm/lattice/lattice_cells.h>
+#include <magmpm/surface/sharp_fraction.h>
 
-#include <array>
+#include <functional>
+#include <limits>
+#include <vector>
 
 namespace magmpm
 {
   /**
-   * Where magnetic material is, sharper than P2G tells: node fields that B-splines interpolate to a
-   * volume fraction f of material, 1 inside and 0 outside with a transition of about one dx, and to a
-   * correction q of its density that makes the volume right, locally.
+   * Where material is at the quadrature points of lattice cells: the fraction f and the normal nu of a
+   * SharpFraction, and a correction q of the density of the material that makes its volume right,
+   * locally,
    *
-   *   v = P2G of particle volumes over dx^dim, less its smear: v - dx^2/4 Laplace_h v
-   *   w = max of v over 5^dim nodes, within [1e-3, 1]: what counts as full, so that single particles
-   *       and thin sheets do not vanish
-   *   f = w g(v/w),  g(t) = smoothstep(clip(1/2 + (t - 1/2)/0.8))
    *   q = sum_i N_i [S clip(A_i/W_i, 0.5, 5)],  A = S P2G(volumes),  W = S int f N_i,
-   * with S three passes of smooth(). S is symmetric and keeps sums, so int q f is the volume of the
-   * particles wherever the clip is idle. No bodies are told apart.
    *
-   * All of it stands on the active blocks; material behind shielded walls is the mirror image of that
-   * in front.
+   * with S three passes of smooth(). S is symmetric and keeps sums, so int q f is the volume of the
+   * particles wherever the clip is idle.
    */
   template <int dim>
   class SharpIndicator
   {
   public:
-    /** Lanes of field(). */
-    enum Lane
+    /** Stands for the first point of a cell without material. */
+    static constexpr unsigned int none = std::numeric_limits<unsigned int>::max();
+
+    struct Point
     {
-      volume,    ///< v
-      full,      ///< w
-      correction ///< q
+      double fraction   = 0.; ///< f
+      double correction = 1.; ///< q
+      Vector<dim> normal;     ///< nu; zero in cells that have no surface
     };
 
     /**
-     * Finds v and w; q is 1. Collective.
+     * Finds all of it. Collective.
      *
-     * @param content  lane 0: P2G of the particle volumes over dx^dim with its mirror images, ghosts
-     *                 updated.
+     * @param volumes      lane 0: P2G of the particle volumes over dx^dim with its mirror images, ghosts
+     *                     updated.
+     * @param is_excluded  whether a place [m] is no place for material, although particles may be there;
+     *                     the correction makes up for it.
      */
     void
     reinit(const BlockPartition<dim> &partition,
            const Lattice<dim> &lattice,
            const std::array<bool, 2 * dim> &shielded,
-           const NodeField<dim> &content);
+           const LatticeCells<dim> &cells,
+           const NodeField<dim> &volumes,
+           const std::function<bool(const Vector<dim> &)> &is_excluded);
 
-    /**
-     * Finds q. Collective.
-     *
-     * @param tested_fraction  lane 0: int f N_i over dx^dim from the cells of this rank, ghosts too.
-     * @param content          as for reinit().
-     */
-    void
-    set_correction(const BlockPartition<dim> &partition,
-                   const Lattice<dim> &lattice,
-                   const std::array<bool, 2 * dim> &shielded,
-                   const NodeField<dim> &content,
-                   NodeField<dim> &tested_fraction);
-
-    /** v, w and q on the nodes, to be interpolated with quadratic B-splines; ghosts updated. */
-    const NodeField<dim> &
-    field() const
+    /** Number of the first of the n_points<dim> points of each cell, or none. */
+    const std::vector<unsigned int> &
+    first_points() const
     {
-      return nodes;
+      return first_point_of_cell;
     }
 
-    /** f at a point with these interpolated v and w. */
-    static double
-    fraction(const double volume, const double full);
+    const Point &
+    point(const unsigned int number) const
+    {
+      return points[number];
+    }
 
-    /** Owned nodes where w is at its lower bound although particles reach them: their f is too small. */
+    /** Owned nodes where f is too small, see SharpFraction. */
     unsigned long
     n_clipped_fractions() const
     {
-      return clipped_fractions;
+      return sharp.n_clipped();
     }
 
     /** Owned nodes where A/W is outside of [0.5, 5]: the volume is not right there. */
@@ -85,8 +77,34 @@ namespace magmpm
     }
 
   private:
-    NodeField<dim> nodes;
-    unsigned long clipped_fractions   = 0;
+    SharpFraction<dim> sharp;
+    std::vector<unsigned int> first_point_of_cell;
+    std::vector<Point> points;
     unsigned long clipped_corrections = 0;
+
+    /** Gives points with f to a cell, if there is any material in it, and adds int f N_i over dx^dim. */
+    void
+    find_fractions(const LatticeCells<dim> &cells,
+                   const unsigned int cell,
+                   const std::function<bool(const Vector<dim> &)> &is_excluded,
+                   NodeField<dim> &tested_fraction);
+
+    /**
+     * Makes q on nodes, ghosts too, of int f N_i over dx^dim from the cells of this rank.
+     *
+     * @param field  both, in lane 0.
+     */
+    void
+    find_correction(const BlockPartition<dim> &partition,
+                    const Lattice<dim> &lattice,
+                    const std::array<bool, 2 * dim> &shielded,
+                    const NodeField<dim> &volumes,
+                    NodeField<dim> &field);
+
+    /** q and nu at the points of a cell with material. */
+    void
+    complete_points(const LatticeCells<dim> &cells,
+                    const unsigned int cell,
+                    const NodeField<dim> &correction);
   };
 } // namespace magmpm

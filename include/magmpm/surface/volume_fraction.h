@@ -22,6 +22,12 @@ namespace magmpm
   {
     std::vector<bool> bodies; ///< whether a body counts, by its number
     ParticleVolume volume = ParticleVolume::deformed;
+
+    bool
+    operator==(const MaterialSelection &other) const
+    {
+      return bodies == other.bodies && volume == other.volume;
+    }
   };
 
   /** One body alone. */

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <magmpm/mesh/block_partition.h>
+
+#include <array>
+
+namespace magmpm
+{
+  /** What a SharpFraction makes of the volume. */
+  struct SharpFractionParameters
+  {
+    int n_smoothing_passes = 0;  ///< of smooth(), after the smear is removed
+    double full_volume     = 1.; ///< the largest v around that counts as full [-]
+  };
+
+  /**
+   * Where some material is, sharper than P2G tells: node fields that quadratic B-splines interpolate to
+   * points, where they give a fraction f of material, 1 inside and 0 outside with a transition of
+   * about one dx,
+   *
+   *   v = the volume fraction less its smear: v - dx^2/4 Laplace_h v
+   *   w = max of v over 5^dim nodes, over what counts as full, within [1e-3, 1]: single particles
+   *       and thin sheets do not vanish
+   *   f = w g(v/w),  g(t) = smoothstep(clip(1/2 + (t - 1/2)/0.8)),   nu = grad v/|grad v|.
+   *
+   * No bodies are told apart. All of it stands on the active blocks; material behind shielded walls is
+   * the mirror image of that in front.
+   */
+  template <int dim>
+  class SharpFraction
+  {
+  public:
+    /** Lanes of field(). */
+    enum Lane
+    {
+      volume, ///< v
+      full    ///< w
+    };
+
+    /**
+     * Collective.
+     *
+     * @param volumes  lane 0: the volume fraction (volume_fraction.h) with its mirror images, ghosts
+     *                 updated.
+     */
+    void
+    reinit(const BlockPartition<dim> &partition,
+           const Lattice<dim> &lattice,
+           const std::array<bool, 2 * dim> &shielded,
+           const NodeField<dim> &volumes,
+           const SharpFractionParameters &parameters = {});
+
+    /** v and w on the nodes; ghosts updated. */
+    const NodeField<dim> &
+    field() const
+    {
+      return nodes;
+    }
+
+    /** f at a point with these interpolated v and w. */
+    static double
+    fraction(const double volume, const double full);
+
+    /**
+     * nu at a point with this grad v [1/dx]. It loses its length where grad v vanishes, in the middle of
+     * isolated particles and thin sheets; its sign is that of material.
+     */
+    static Vector<dim>
+    normal(const Vector<dim> &gradient);
+
+    /** Owned nodes where w is at its lower bound although particles reach them: their f is too small. */
+    unsigned long
+    n_clipped() const
+    {
+      return clipped;
+    }
+
+  private:
+    NodeField<dim> nodes;
+    unsigned long clipped = 0;
+  };
+} // namespace magmpm

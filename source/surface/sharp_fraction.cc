@@ -1,0 +1,82 @@
+#include <magmpm/lattice/node_window.h>
+#include <magmpm/mesh/mirror_images.h>
+#include <magmpm/mesh/node_filters.h>
+#include <magmpm/surface/sharp_fraction.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace magmpm
+{
+  namespace
+  {
+    constexpr double smallest_full = 1e-3;
+    constexpr double transition    = 0.8; ///< in v/w
+
+    /**
+     * Of |grad v| dx, at which the normal has lost 30 % of its length: at surfaces |grad v| dx is about
+     * 1/2, in the middle of isolated particles and thin sheets 0.
+     */
+    constexpr double smallest_gradient = 1e-3;
+  } // namespace
+
+  template <int dim>
+  void
+  SharpFraction<dim>::reinit(const BlockPartition<dim> &partition,
+                             const Lattice<dim> &lattice,
+                             const std::array<bool, 2 * dim> &shielded,
+                             const NodeField<dim> &volumes,
+                             const SharpFractionParameters &parameters)
+  {
+    const BlockSet<dim> &blocks = partition.blocks();
+    nodes.reinit(blocks.size());
+    for_nodes_and_ghosts(blocks, [&](const int slot, const int node) {
+      nodes.node(slot, node)[volume] = volumes.node(slot, node)[0];
+    });
+    remove_smear(partition, nodes);
+    copy_mirror_images(partition, lattice, shielded, nodes);
+    for (int pass = 0; pass < parameters.n_smoothing_passes; ++pass)
+      {
+        smooth(partition, nodes);
+        copy_mirror_images(partition, lattice, shielded, nodes);
+      }
+
+    // Twice over 3^dim nodes is once over 5^dim.
+    NodeField<dim> largest(nodes);
+    for (int pass = 0; pass < 2; ++pass)
+      {
+        maximize(partition, largest);
+        copy_mirror_images(partition, lattice, shielded, largest);
+      }
+
+    clipped = 0;
+    for_nodes_and_ghosts(blocks, [&](const int slot, const int node) {
+      const double around          = largest.node(slot, node)[volume] / parameters.full_volume;
+      nodes.node(slot, node)[full] = std::clamp(around, smallest_full, 1.);
+      clipped += slot < blocks.n_owned() && around < smallest_full &&
+                 volumes.node(slot, node)[0] > 0.;
+    });
+  }
+
+  template <int dim>
+  double
+  SharpFraction<dim>::fraction(const double volume, const double full)
+  {
+    if (!(volume > 0.))
+      return 0.;
+    const double w = std::max(full, smallest_full); // nodes that are not active count as zero
+    const double t = std::clamp(0.5 + (volume / w - 0.5) / transition, 0., 1.);
+    return w * t * t * (3. - 2. * t);
+  }
+
+  template <int dim>
+  Vector<dim>
+  SharpFraction<dim>::normal(const Vector<dim> &gradient)
+  {
+    return (1. / std::sqrt(norm_square(gradient) + smallest_gradient * smallest_gradient)) *
+           gradient;
+  }
+
+  template class SharpFraction<2>;
+  template class SharpFraction<3>;
+} // namespace magmpm
