@@ -83,13 +83,13 @@ namespace magmpm
 
   template <int dim>
   void
-  ParticleSet<dim>::append_from_records(const std::vector<double> &records)
+  ParticleSet<dim>::append_from_records(const double *records, const std::size_t n_particles)
   {
-    for (std::size_t r = 0; r < records.size();)
+    for (std::size_t i = 0; i < n_particles; ++i)
       {
-        identities.push_back(static_cast<std::uint64_t>(records[r++]));
+        identities.push_back(static_cast<std::uint64_t>(*records++));
         for (auto &component : components)
-          component.push_back(records[r++]);
+          component.push_back(*records++);
       }
   }
 

@@ -125,16 +125,17 @@ namespace magmpm
   {
     const BlockSet<dim> occupied_set(occupied.blocks, static_cast<int>(occupied.blocks.size()));
     const std::vector<unsigned int> owners = background_mesh.owners(occupied.blocks);
-    std::size_t n_sent                     = 0;
+    std::vector<std::vector<unsigned int>> destinations;
+    std::vector<ParticleSet<dim> *> sets;
     for (Body<dim> &body : bodies)
       {
-        std::vector<unsigned int> destination(body.particles.size());
-        for (std::size_t p = 0; p < destination.size(); ++p)
-          destination[p] =
+        sets.push_back(&body.particles);
+        std::vector<unsigned int> &of_body = destinations.emplace_back(body.particles.size());
+        for (std::size_t p = 0; p < of_body.size(); ++p)
+          of_body[p] =
             owners[occupied_set.slot(block_of<dim>(lattice.base_node(body.particles.position(p))))];
-        n_sent += migrate_particles(communicator, destination, body.particles);
       }
-    return n_sent;
+    return migrate_particles(communicator, destinations, sets);
   }
 
   template class DomainDecomposition<2>;

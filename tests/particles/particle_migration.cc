@@ -96,7 +96,7 @@ namespace
           destination.push_back(destination_of(id, round));
         const std::size_t n_leaving =
           particles.size() - std::count(destination.begin(), destination.end(), this_rank());
-        CHECK(migrate_particles(MPI_COMM_WORLD, destination, particles) == n_leaving);
+        CHECK(migrate_particles<dim>(MPI_COMM_WORLD, {destination}, {&particles}) == n_leaving);
 
         int n_astray = 0;
         for (const std::uint64_t id : particles.ids())
@@ -126,8 +126,40 @@ TEST_CASE("migration to where particles are moves nothing", "[particles][mpi]")
   const Body<2> body       = empty_body<2>(MechanicalLaw::neo_hookean, false);
   ParticleSet<2> particles = signed_particles(body, 10 * this_rank(), 10);
   const auto ids           = particles.ids();
-  CHECK(migrate_particles(MPI_COMM_WORLD, std::vector<unsigned int>(10, this_rank()), particles) ==
-        0);
+  const std::vector<unsigned int> destination(10, this_rank());
+  CHECK(migrate_particles<2>(MPI_COMM_WORLD, {destination}, {&particles}) == 0);
   CHECK(particles.ids() == ids);
   CHECK(count_changed_values(particles) == 0);
+}
+
+TEST_CASE("the particles of all bodies migrate together", "[particles][mpi]")
+{
+  // Four bodies: a fluid, a magnetic solid, one without particles on any rank, and one whose particles
+  // all stay. Records are of other lengths in each, and particles of a rank for another one may be of
+  // two bodies or of none: afterwards each body has its own particles, all on their ranks.
+  const Body<3> fluid              = empty_body<3>(MechanicalLaw::viscoelastic_fluid, false);
+  const Body<3> solid              = empty_body<3>(MechanicalLaw::neo_hookean, true);
+  std::vector<ParticleSet<3>> sets = {signed_particles(fluid, 100 * this_rank(), 100),
+                                      signed_particles(solid, 30 * this_rank(), 30),
+                                      signed_particles(solid, 0, 0),
+                                      signed_particles(fluid, 10 * this_rank(), 10)};
+  std::vector<std::vector<unsigned int>> destinations(4);
+  for (int s = 0; s < 2; ++s)
+    for (const std::uint64_t id : sets[s].ids())
+      destinations[s].push_back(destination_of(id, s));
+  destinations[3].assign(10, this_rank());
+  migrate_particles<3>(MPI_COMM_WORLD, destinations, {&sets[0], &sets[1], &sets[2], &sets[3]});
+
+  for (int s = 0; s < 2; ++s)
+    {
+      CHECK(count_changed_values(sets[s]) == 0);
+      for (const std::uint64_t id : sets[s].ids())
+        CHECK(destination_of(id, s) == this_rank());
+      std::vector<std::uint64_t> expected((s == 0 ? 100 : 30) * n_ranks());
+      std::iota(expected.begin(), expected.end(), 0);
+      CHECK(all_ids(sets[s]) == expected);
+    }
+  CHECK(sets[2].size() == 0);
+  CHECK(sets[3].size() == 10);
+  CHECK(count_changed_values(sets[3]) == 0);
 }

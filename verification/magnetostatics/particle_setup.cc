@@ -82,7 +82,7 @@ namespace magmpm::verification
         for (std::size_t p = 0; p < destination.size(); ++p)
           destination[p] =
             owners[blocks.slot(block_of<dim>(lattice.base_node(body.particles.position(p))))];
-        migrate_particles(communicator, destination, body.particles);
+        migrate_particles<dim>(communicator, {destination}, {&body.particles});
       }
     partition.rebuild(occupied_blocks(bodies, lattice, true).blocks);
     for (Body<dim> &body : bodies)

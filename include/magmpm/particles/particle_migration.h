@@ -9,14 +9,14 @@
 namespace magmpm
 {
   /**
-   * Sends each particle to the rank that is to hold it. Collective.
+   * Sends each particle to the rank that is to hold it, those of all sets in one exchange. Collective.
    *
-   * @param destination  rank of each particle.
+   * @param destinations  rank of each particle, by set.
    * @return particles that this rank sent away.
    */
   template <int dim>
   std::size_t
   migrate_particles(const MPI_Comm communicator,
-                    const std::vector<unsigned int> &destination,
-                    ParticleSet<dim> &particles);
+                    const std::vector<std::vector<unsigned int>> &destinations,
+                    const std::vector<ParticleSet<dim> *> &sets);
 } // namespace magmpm

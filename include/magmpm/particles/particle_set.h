@@ -130,8 +130,15 @@ namespace magmpm
     void
     append_record(const std::size_t p, std::vector<double> &records) const;
 
+    /** Takes in @p n_particles from as many records, one after the other. */
     void
-    append_from_records(const std::vector<double> &records);
+    append_from_records(const double *records, const std::size_t n_particles);
+
+    void
+    append_from_records(const std::vector<double> &records)
+    {
+      append_from_records(records.data(), records.size() / record_size());
+    }
 
     /** New order: particle order[i] comes to place i; particles not named are dropped. */
     void
