@@ -115,7 +115,10 @@ namespace magmpm
     if (rank == 0)
       {
         const std::string path = directory + "/log.txt";
-        file.open(path, resumes ? std::ios::app : std::ios::out);
+        if (!resumes)
+          std::ofstream(path, std::ios::trunc);
+        // At the end, wherever that is by then: a rank that fails writes there, too.
+        file.open(path, std::ios::app);
         if (!file)
           throw RunError("The log '" + path + "' cannot be opened for writing. Is there such a " +
                          "folder, and are you allowed to write there?");

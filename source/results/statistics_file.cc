@@ -125,8 +125,9 @@ namespace magmpm
       throw std::logic_error("A row of statistics lacks the value of '" +
                              names[missing - row.begin()] + "'.");
 
+    // At once, so that no row is missing if another rank ends the program.
     if (is_writer)
-      file << joined(row);
+      file << joined(row) << std::flush;
     std::fill(row.begin(), row.end(), "");
   }
 
