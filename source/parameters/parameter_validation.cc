@@ -1,5 +1,6 @@
-#include <magmpm/parameters/given_parameters.h>
 #include <magmpm/base/number_text.h>
+#include <magmpm/mesh/potential_box.h>
+#include <magmpm/parameters/given_parameters.h>
 #include <magmpm/parameters/parameter_validation.h>
 #include <magmpm/parameters/rigid_body_section.h>
 #include <magmpm/parameters/section_validation.h>
@@ -66,6 +67,29 @@ namespace magmpm
       lattice.spacing      = input.cell_size;
       for (int d = 0; d < dim; ++d)
         lattice.n_cells[d] = cells_along(declarations, input, d);
+    }
+
+    /** Blocks have coordinates within +-2^20 (block_key()); some lie around the box. */
+    template <int dim>
+    void
+    check_potential_box(const ParameterRegister &declarations, const Parameters<dim> &parameters)
+    {
+      constexpr double max_blocks = (1 << 20) - 4096;
+      const auto check            = [&](const int d, const double n_blocks) {
+        if (n_blocks > max_blocks)
+          throw declarations.error("Magnetics/Potential box factor",
+                                   "that makes " + to_text(block_edge * n_blocks) +
+                                     " cells along " + axis_names[d] + "; at most " +
+                                     to_text(block_edge * max_blocks) +
+                                     " are possible. Choose a smaller factor, or larger cells.");
+      };
+      if (!parameters.mesh.carries_potential)
+        return;
+      for (int d = 0; d < dim; ++d)
+        check(d, parameters.mesh.potential_box_factor * parameters.lattice.n_cells[d] / block_edge);
+      const PotentialBox<dim> box = potential_box(parameters.lattice, parameters.mesh);
+      for (int d = 0; d < dim; ++d)
+        check(d, box.n_blocks()[d]);
     }
 
     template <int dim>
@@ -156,6 +180,7 @@ namespace magmpm
       std::any_of(parameters.bodies.begin(), parameters.bodies.end(), [&](const auto &body) {
         return parameters.material_of(body).magnetic.is_magnetic();
       });
+    check_potential_box(declarations, parameters);
     convert_attraction(declarations, input, parameters);
     check_rest(declarations, parameters);
     collect_warnings(declarations, parameters);

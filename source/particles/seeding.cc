@@ -1,3 +1,5 @@
+#include <magmpm/base/exceptions.h>
+#include <magmpm/base/number_text.h>
 #include <magmpm/geometry/point_cloud_shape.h>
 #include <magmpm/particles/seeding.h>
 
@@ -88,12 +90,36 @@ namespace magmpm
         particles.component(ParticleProperty::deformation, c)[p] = 1.;
     }
 
+    /** A number of a particle is that of its body and one of these; below 2^53 messages hold it exactly. */
+    constexpr int id_bits = 40, body_bits = 13;
+
+    /**
+     * The id of the first particle of a body, or an InputError if there are too many bodies, or more
+     * places for particles than ids.
+     */
+    template <int dim>
+    std::uint64_t
+    first_id_of(const BodyParameters<dim> &parameters,
+                const unsigned int body_number,
+                const double n_places)
+    {
+      if (body_number >= (1u << body_bits))
+        throw InputError("there are more bodies than the " + std::to_string(1u << body_bits) +
+                         " that particles can be told apart by. Make one body of several: a mesh "
+                         "may have many parts.");
+      if (n_places > static_cast<double>(std::uint64_t(1) << id_bits))
+        throw InputError("body '" + parameters.name + "' has places for " + to_text(n_places) +
+                         " particles; at most 2^40, 1.1e+12, can be told apart. Choose larger "
+                         "cells ('Box/Cell size'), or fewer particles per cell.");
+      return static_cast<std::uint64_t>(body_number) << id_bits;
+    }
+
     /** A particle at each point of the file that is this rank's. */
     template <int dim>
     void
     seed_points(const BodyParameters<dim> &parameters,
                 const double volume_without,
-                const std::uint64_t first_id,
+                const unsigned int body_number,
                 const unsigned int rank,
                 const unsigned int n_ranks,
                 ParticleSet<dim> &particles)
@@ -102,6 +128,7 @@ namespace magmpm
       const PointCloud<dim> &cloud = shape.cloud();
       const Vector<dim> centre     = shape.volume_moments().centroid;
       const std::uint64_t n        = cloud.points.size();
+      const std::uint64_t first_id = first_id_of(parameters, body_number, static_cast<double>(n));
       for (std::uint64_t i = n * rank / n_ranks; i < n * (rank + 1) / n_ranks; ++i)
         add_particle(parameters,
                      centre,
@@ -121,10 +148,9 @@ namespace magmpm
                  const unsigned int n_ranks,
                  Body<dim> &body)
   {
-    const std::uint64_t first_id = static_cast<std::uint64_t>(body_number) << 40;
-    const double volume          = parameters.particle_volume(lattice);
+    const double volume = parameters.particle_volume(lattice);
     if (parameters.shape.type == ShapeType::points)
-      return seed_points(parameters, volume, first_id, rank, n_ranks, body.particles);
+      return seed_points(parameters, volume, body_number, rank, n_ranks, body.particles);
 
     const std::unique_ptr<Shape<dim>> shape = make_shape(parameters.shape);
     const Places<dim> places(shape->bounding_box(), parameters.particles_per_edge, lattice);
@@ -134,6 +160,8 @@ namespace magmpm
     std::uint64_t n_rows           = 1;
     for (int d = 1; d < dim; ++d)
       n_rows *= places.count[d];
+    const std::uint64_t first_id =
+      first_id_of(parameters, body_number, static_cast<double>(n_rows) * row_length);
     for (std::uint64_t row = n_rows * rank / n_ranks; row < n_rows * (rank + 1) / n_ranks; ++row)
       for (std::uint64_t i = 0; i < row_length; ++i)
         {

@@ -326,6 +326,12 @@ TEST_CASE("Messages on the box of the potential", "[parameters]")
             ": must be a number >= 1. (Edge of the box of the potential over that of the "
             "mechanical box, at least, where its faces are open.)");
   CHECK(message_with("Magnetics/Potential box factor=1") == "");
+
+  // Keys of blocks have 21 bits for a coordinate: larger boxes would mix them up without a word.
+  CHECK_THAT(message_with("Magnetics/Potential box factor=1e9"),
+             Catch::StartsWith("Magnetics/Potential box factor = 1e9: that makes ") &&
+               Catch::EndsWith(" cells along x; at most 4.17792e+06 are possible. Choose a smaller "
+                               "factor, or larger cells."));
 }
 
 // A magnet in a body by a depth known from radius and corner, and what a kind of magnet does not

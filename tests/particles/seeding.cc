@@ -306,3 +306,25 @@ TEST_CASE("a fluid is seeded with J = 1", "[particles]")
   const double *j = body.particles.component(ParticleProperty::deformation, 0);
   CHECK(std::all_of(j, j + body.particles.size(), [](const double value) { return value == 1.; }));
 }
+
+TEST_CASE("more particles or bodies than there are ids are refused", "[particles]")
+{
+  // An id is 2^40 times the number of the body and a number in it, and has to be below 2^53, where
+  // doubles hold it exactly: body 8191 is the last. 2^40 places are reached by 10,300 cells along each
+  // edge with 8 particles each; it takes no particle to say so.
+  const Lattice<3> lattice     = test_lattice<3>();
+  BodyParameters<3> parameters = box_on_nodes(lattice);
+  const Body<3> last           = seeded(parameters, lattice, 0, 1, 8191);
+  for (const std::uint64_t id : last.particles.ids())
+    REQUIRE(static_cast<std::uint64_t>(static_cast<double>(id)) == id);
+  CHECK_THROWS_WITH(seeded(parameters, lattice, 0, 1, 8192),
+                    "there are more bodies than the 8192 that particles can be told apart by. Make "
+                    "one body of several: a mesh may have many parts.");
+
+  parameters.shape.lower_corner = lattice.node_position({0, 0, 0});
+  parameters.shape.upper_corner = lattice.node_position({10400, 10400, 10400});
+  CHECK_THROWS_WITH(
+    seeded(parameters, lattice),
+    "body 'box' has places for 8.99891e+12 particles; at most 2^40, 1.1e+12, can be "
+    "told apart. Choose larger cells ('Box/Cell size'), or fewer particles per cell.");
+}
