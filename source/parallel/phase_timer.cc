@@ -69,19 +69,24 @@ namespace magmpm::parallel
   }
 
   PhaseTimer::Scope::Scope(PhaseTimer &timer, const std::string &phase)
-    : timer(timer)
-    , phase(phase)
+    : phase(timer.phase(phase))
     , start(Clock::now())
   {
   }
 
   PhaseTimer::Scope::~Scope()
   {
-    const auto [entry, is_new] = timer.phases.try_emplace(phase);
+    ++phase.n_visits;
+    phase.seconds += seconds_since(start);
+  }
+
+  PhaseTimer::Phase &
+  PhaseTimer::phase(const std::string &name)
+  {
+    const auto [entry, is_new] = phases.try_emplace(name);
     if (is_new)
-      timer.order.push_back(phase);
-    ++entry->second.n_visits;
-    entry->second.seconds += seconds_since(start);
+      order.push_back(name);
+    return entry->second; // stays where it is
   }
 
   std::map<std::string, double>
@@ -89,7 +94,8 @@ namespace magmpm::parallel
   {
     std::map<std::string, double> result;
     for (const auto &[name, phase] : phases)
-      result[name] = phase.seconds;
+      if (phase.n_visits > 0)
+        result[name] = phase.seconds;
     return result;
   }
 

@@ -16,6 +16,12 @@ namespace magmpm::parallel
    */
   class PhaseTimer
   {
+    struct Phase
+    {
+      unsigned long n_visits = 0;
+      double seconds         = 0.; ///< of visits that are over
+    };
+
   public:
     PhaseTimer();
 
@@ -35,8 +41,7 @@ namespace magmpm::parallel
       operator=(const Scope &) = delete;
 
     private:
-      PhaseTimer &timer;
-      const std::string phase;
+      Phase &phase;
       const std::chrono::steady_clock::time_point start;
     };
 
@@ -45,18 +50,16 @@ namespace magmpm::parallel
     seconds() const;
 
     /**
-     * A table of the phases in the order in which they were first left: how often (at most of the
+     * A table of the phases in the order in which they were first met: how often (at most of the
      * ranks), and the least, mean and most time of all ranks, so that imbalance can be seen. Collective.
      */
     void
     print(const MPI_Comm communicator, std::ostream &stream) const;
 
   private:
-    struct Phase
-    {
-      unsigned long n_visits = 0;
-      double seconds         = 0.;
-    };
+    /** The phase of this name, which may be new. */
+    Phase &
+    phase(const std::string &name);
 
     const std::chrono::steady_clock::time_point start;
     std::map<std::string, Phase> phases;
