@@ -13,11 +13,14 @@ using namespace magmpm;
 
 template <int dim>
 static void
-run_scene(const ParameterFile &file, const CommandLine &command_line, std::ostream &terminal)
+run_scene(const ParameterFile &file,
+          const CommandLine &command_line,
+          std::ostream &terminal,
+          parallel::FailureLog &failures)
 {
   const Parameters<dim> parameters = read_parameters<dim>(file);
   if (command_line.task == CommandLine::Task::run)
-    return Run<dim>(parameters, MPI_COMM_WORLD, command_line.start).run();
+    return Run<dim>(parameters, MPI_COMM_WORLD, command_line.start).run(failures);
 
   terminal << file.name << ": valid" << std::endl;
   for (const std::string &warning : parameters.warnings)
@@ -25,7 +28,7 @@ run_scene(const ParameterFile &file, const CommandLine &command_line, std::ostre
 }
 
 static void
-run_program(const CommandLine &command_line, std::ostream &terminal)
+run_program(const CommandLine &command_line, std::ostream &terminal, parallel::FailureLog &failures)
 {
   using Task = CommandLine::Task;
   if (command_line.task == Task::help)
@@ -38,9 +41,9 @@ run_program(const CommandLine &command_line, std::ostream &terminal)
     {
       const ParameterFile file = read_parameter_file(command_line.file, command_line.overrides);
       if (read_dimension(file) == 2)
-        run_scene<2>(file, command_line, terminal);
+        run_scene<2>(file, command_line, terminal, failures);
       else
-        run_scene<3>(file, command_line, terminal);
+        run_scene<3>(file, command_line, terminal, failures);
     }
 }
 
@@ -53,7 +56,8 @@ main(int argc, char **argv)
   std::ostream silence(nullptr);
   const bool first       = parallel::rank(MPI_COMM_WORLD) == 0;
   std::ostream &terminal = first ? std::cout : silence;
-  return static_cast<int>(parallel::report_errors(MPI_COMM_WORLD, std::cerr, [&]() {
-    run_program(parse_command_line({argv + 1, argv + argc}), terminal);
-  }));
+  return static_cast<int>(
+    parallel::report_errors(MPI_COMM_WORLD, std::cerr, [&](parallel::FailureLog &failures) {
+      run_program(parse_command_line({argv + 1, argv + argc}), terminal, failures);
+    }));
 }

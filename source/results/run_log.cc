@@ -114,13 +114,12 @@ namespace magmpm
     MPI_Comm_size(communicator, &n_ranks);
     if (rank == 0)
       {
-        const std::string path = directory + "/log.txt";
         if (!resumes)
-          std::ofstream(path, std::ios::trunc);
+          std::ofstream(path(), std::ios::trunc);
         // At the end, wherever that is by then: a rank that fails writes there, too.
-        file.open(path, std::ios::app);
+        file.open(path(), std::ios::app);
         if (!file)
-          throw RunError("The log '" + path + "' cannot be opened for writing. Is there such a " +
+          throw RunError("The log '" + path() + "' cannot be opened for writing. Is there such a " +
                          "folder, and are you allowed to write there?");
         splitter = std::make_unique<Splitter>(terminal.rdbuf(), file.rdbuf());
       }
@@ -218,11 +217,10 @@ namespace magmpm
     *both << "WARNING: " << text << std::endl;
   }
 
-  void
-  RunLog::failure(const std::string &text)
+  std::string
+  RunLog::path() const
   {
-    if (file.is_open())
-      file << "FAILED: " << text << std::endl;
+    return directory + "/log.txt";
   }
 
   void

@@ -111,19 +111,19 @@ namespace magmpm
 
   template <int dim>
   void
-  Run<dim>::run()
+  Run<dim>::run(parallel::FailureLog &failures)
   {
+    failures.append_to(results.log().path());
     try
       {
         begin();
         while (!is_at_end() && !is_stopped())
           advance_one_step();
       }
-    catch (const std::exception &exception)
+    catch (...)
       {
         tell_notices();
         results.flush();
-        results.log().failure(exception.what());
         throw;
       }
     scene.timer().print(communicator, results.log().stream());

@@ -123,7 +123,7 @@ TEMPLATE_TEST_CASE_SIG("sums of parts combine to those of the whole",
       std::vector<double> records;
       for (int p = 100 * part; p < 100 * (part + 1); ++p)
         whole.particles.append_record(p, records);
-      body.particles.append_from_records(records);
+      body.particles.append_from_records(records.data(), 100);
       combined += sums_of(body);
     }
   combined += ParticleSums<dim>();

@@ -4,6 +4,7 @@
 #include <magmpm/base/number_text.h>
 #include <magmpm/base/simd.h>
 #include <magmpm/base/version.h>
+#include <magmpm/parallel/error_report.h>
 #include <magmpm/parallel/phase_timer.h>
 #include <magmpm/parallel/ranks.h>
 #include <magmpm/results/run_log.h>
@@ -160,7 +161,9 @@ TEST_CASE("warnings stand out and failures are kept in log.txt", "[results]")
   {
     RunLog log(MPI_COMM_SELF, folder, 1, 1., terminal);
     log.warning("3 particles left the box.");
-    log.failure("Particle 7 ran away.");
+    parallel::FailureLog failures;
+    failures.append_to(log.path());
+    failures.write("Particle 7 ran away.");
     log.end();
   }
   const std::string file = testing::contents(folder + "/log.txt");

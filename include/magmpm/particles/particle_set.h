@@ -134,12 +134,6 @@ namespace magmpm
     void
     append_from_records(const double *records, const std::size_t n_particles);
 
-    void
-    append_from_records(const std::vector<double> &records)
-    {
-      append_from_records(records.data(), records.size() / record_size());
-    }
-
     /** New order: particle order[i] comes to place i; particles not named are dropped. */
     void
     reorder(const std::vector<std::uint32_t> &order);

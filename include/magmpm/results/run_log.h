@@ -94,9 +94,9 @@ namespace magmpm
     void
     warning(const std::string &text);
 
-    /** Why a run ends early: to log.txt only, since the main function tells the terminal. */
-    void
-    failure(const std::string &text);
+    /** log.txt, to whose end a rank that fails adds why (parallel::FailureLog). */
+    std::string
+    path() const;
 
     /** The last lines: wall time of the run and where the results are. */
     void

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <magmpm/parallel/error_report.h>
 #include <magmpm/parameters/parameters.h>
 #include <magmpm/results/results.h>
 #include <magmpm/simulation/checkpoint.h>
@@ -36,10 +37,11 @@ namespace magmpm
     /**
      * Until the end time, or until somebody asks it to stop (see RunControl).
      *
+     * @param failures  learns where the log is.
      * @throw RunError if a particle runs away or a solver fails.
      */
     void
-    run();
+    run(parallel::FailureLog &failures);
 
   private:
     /** What a run must remember besides its scene. */
