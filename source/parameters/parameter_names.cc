@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <sstream>
 
 namespace magmpm
 {
@@ -53,6 +54,24 @@ namespace magmpm
   {
     const std::string closest = closest_name(name, known_names);
     return closest.empty() ? "." : "; did you mean '" + closest + "'?";
+  }
+
+  std::vector<std::string>
+  split(const std::string &text, const char delimiter)
+  {
+    const auto trimmed = [](const std::string &part) {
+      const std::string space = " \t\r\n";
+      const std::size_t first = part.find_first_not_of(space);
+      if (first == std::string::npos)
+        return std::string();
+      return part.substr(first, part.find_last_not_of(space) - first + 1);
+    };
+    std::vector<std::string> parts;
+    std::istringstream stream(trimmed(text));
+    std::string part;
+    while (std::getline(stream, part, delimiter))
+      parts.push_back(trimmed(part));
+    return parts;
   }
 
   std::string

@@ -1,5 +1,6 @@
 #include <magmpm/base/exceptions.h>
 #include <magmpm/parameters/parameter_declarations.h>
+#include <magmpm/parameters/parameter_listing.h>
 #include <magmpm/parameters/parameter_validation.h>
 #include <magmpm/parameters/parameters.h>
 
@@ -85,9 +86,9 @@ namespace magmpm
 
     if (parameters.output.directory.empty())
       parameters.output.directory = file.default_output_directory();
-    declarations.set_printed_value("Output directory", parameters.output.directory);
+    declarations.set_value("Output directory", parameters.output.directory);
     parameters.original_text = file.text;
-    parameters.complete_text = declarations.print();
+    parameters.complete_text = listing_of(declarations.parameters());
     return parameters;
   }
 

@@ -23,6 +23,10 @@ namespace magmpm
   std::string
   did_you_mean(const std::string &name, const std::vector<std::string> &known_names);
 
+  /** "a, b, c" at commas: {"a", "b", "c"}; without space at the ends of a part. Nothing: no parts. */
+  std::vector<std::string>
+  split(const std::string &text, const char delimiter);
+
   /** "a, b, c" */
   std::string
   comma_separated(const std::vector<std::string> &names);

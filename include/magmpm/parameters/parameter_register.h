@@ -2,72 +2,21 @@
 
 #include <magmpm/base/exceptions.h>
 #include <magmpm/base/tensor.h>
+#include <magmpm/parameters/number_range.h>
 #include <magmpm/parameters/parameter_file.h>
+#include <magmpm/parameters/parameter_table.h>
 
 #include <functional>
-#include <limits>
-#include <map>
-#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
-namespace dealii
-{
-  class ParameterHandler;
-
-  namespace Patterns
-  {
-    class PatternBase;
-  }
-} // namespace dealii
-
 namespace magmpm
 {
-  /** Which numbers a parameter allows. */
-  struct NumberRange
-  {
-    double minimum        = -std::numeric_limits<double>::infinity();
-    double maximum        = std::numeric_limits<double>::infinity();
-    bool minimum_excluded = false;
-    bool maximum_excluded = false;
-
-    bool
-    contains(const double number) const;
-
-    /** "> 0", "from 0 to 1", or nothing if every number is allowed. */
-    std::string
-    description() const;
-  };
-
-  inline const NumberRange any_number   = {};
-  inline const NumberRange positive     = {0., any_number.maximum, true, false};
-  inline const NumberRange not_negative = {0., any_number.maximum, false, false};
-
-  /** What it means if the user does not give a parameter. */
-  enum class Presence
-  {
-    has_default, ///< the value that the variable has when it is bound
-    optional,    ///< the variable stays as it is, and given() says so
-    required     ///< an error
-  };
-
-  /** A parameter as the manual describes it. */
-  struct DeclaredParameter
-  {
-    std::string section; ///< "Bodies/cube"; empty at the top
-    std::string name;
-    std::string default_value;
-    std::string range; ///< in words: "a number > 0"
-    std::string unit;  ///< "kg/m^3"; "-" if it has none
-    std::string text;
-    Presence presence;
-  };
-
   /**
-   * Binds parameters to variables, one line each with default, unit, text and range, on top of
-   * deal.II's ParameterHandler, and remembers what it was told: the messages, the manual and "did you
-   * mean" all come from this one list.
+   * Binds parameters to variables, one line each with default, unit, text and range, and remembers
+   * what it was told: the messages, the manual, parameters.prm and "did you mean" all come from this one
+   * table.
    *
    *   {
    *     const auto section = parameters.enter("Time step");
@@ -79,9 +28,6 @@ namespace magmpm
   class ParameterRegister
   {
   public:
-    ParameterRegister();
-    ~ParameterRegister();
-
     /** Leaves the subsection when it goes out of scope. */
     class Section
     {
@@ -197,14 +143,14 @@ namespace magmpm
       return all_warnings;
     }
 
-    /** Changes the value as print() shows it, not the variable. */
+    /** Gives a declared parameter another value than apply() did. */
     void
-    set_printed_value(const std::string &path, const std::string &value);
+    set_value(const std::string &path, const std::string &value);
 
     bool
     is_declared(const std::string &path) const
     {
-      return find(path) != nullptr;
+      return table.find(path) != nullptr;
     }
 
     /** Whether a parameter without default was given. */
@@ -226,25 +172,23 @@ namespace magmpm
     std::string
     where(const std::string &path) const;
 
-    /** All values in the language of parameter files, with texts and defaults as comments. */
-    std::string
-    print() const;
+    /** All that was declared, with its value. */
+    const ParameterTable &
+    parameters() const
+    {
+      return table;
+    }
 
     const std::vector<DeclaredParameter> &
     declared_parameters() const
     {
-      return declared;
+      return table.all();
     }
 
   private:
-    std::unique_ptr<dealii::ParameterHandler> handler;
-    std::vector<DeclaredParameter> declared;
-    std::map<std::string, std::string> refused; ///< reasons by path
+    ParameterTable table;
     std::string current_section;
-
     std::string file_name;
-    std::map<std::string, std::string> values;  ///< by path
-    std::map<std::string, std::string> origins; ///< by path, of those in the file
     std::vector<std::string> all_warnings;
 
     void
@@ -263,10 +207,19 @@ namespace magmpm
                const std::string &text,
                const std::function<void(const std::string &)> &action);
 
+    /** In the section entered. The default is read into the variable: what it says is what counts. */
     void
-    declare(const DeclaredParameter &parameter,
-            const dealii::Patterns::PatternBase &pattern,
-            const std::function<void(const std::string &)> &action);
+    declare(const std::string &name,
+            const std::string &default_value,
+            const std::string &range,
+            const std::string &unit,
+            const std::string &text,
+            const Presence presence,
+            const std::function<bool(const std::string &)> &read);
+
+    /** The declared parameter of that path, which must be there. */
+    const DeclaredParameter &
+    declared(const std::string &path) const;
 
     /** Throws an InputError if @p file has a name that is not declared. */
     void
@@ -275,33 +228,5 @@ namespace magmpm
     /** Throws unless the subsection of @p entry may be left out, and warns in that case. */
     void
     leave_out(const ParameterEntry &entry);
-
-    void
-    apply(const ParameterEntry &entry);
-
-    bool
-    has_section(const std::string &section) const;
-
-    /** The declared parameter of that path, or a null pointer. */
-    const DeclaredParameter *
-    find(const std::string &path) const;
-
-    /** Names of the parameters directly in @p section. */
-    std::vector<std::string>
-    names_in(const std::string &section) const;
-
-    /** Names of the subsections directly in @p section. */
-    std::vector<std::string>
-    subsections_in(const std::string &section) const;
-
-    /** The path of the parameter "List of ..." in @p section, or nothing. */
-    std::string
-    list_of_names(const std::string &section) const;
-
-    InputError
-    unknown_subsection(const ParameterEntry &entry) const;
-
-    InputError
-    unknown_parameter(const ParameterEntry &entry) const;
   };
 } // namespace magmpm

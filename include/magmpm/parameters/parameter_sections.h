@@ -5,8 +5,6 @@
 /** The larger sections of a parameter file, each declared in a file of its own. */
 namespace magmpm
 {
-  inline const NumberRange at_least_one = {1., any_number.maximum, false, false};
-
   /** Names of the faces of a box in the order of WallParameters. */
   inline const std::vector<std::string> face_names =
     {"Lower x", "Upper x", "Lower y", "Upper y", "Lower z", "Upper z"};
