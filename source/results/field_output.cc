@@ -1,5 +1,6 @@
 #include <magmpm/elliptic/elliptic_space.h>
 #include <magmpm/magnetics/material_points.h>
+#include <magmpm/magnetics/potential_problem.h>
 #include <magmpm/results/field_output.h>
 #include <magmpm/results/written_values.h>
 

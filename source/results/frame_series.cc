@@ -15,7 +15,7 @@ namespace magmpm
     : communicator(communicator)
     , directory(directory)
     , kind(kind)
-    , record(directory + "/" + kind.record_name())
+    , record(directory + "/" + kind.record().name)
   {
   }
 
@@ -50,7 +50,7 @@ namespace magmpm
     try
       {
         // The record first: it shall never name a frame that is gone.
-        fs::remove(fs::path(directory) / kind.record_name());
+        fs::remove(fs::path(directory) / kind.record().name);
         if (!fs::is_directory(folder))
           return;
         std::vector<fs::path> frames;

@@ -2,7 +2,9 @@
 #include <magmpm/base/number_text.h>
 #include <magmpm/base/simd.h>
 #include <magmpm/base/version.h>
+#include <magmpm/particles/body.h>
 #include <magmpm/results/run_log.h>
+#include <magmpm/results/run_outputs.h>
 
 #include <cmath>
 #include <cstdio>
@@ -29,15 +31,13 @@ namespace magmpm
     std::string
     mechanics_of(const RunLog::Body &body)
     {
-      const MaterialParameters &material = body.material;
-      if (material.law == MechanicalLaw::neo_hookean)
-        {
-          const double modulus = material.lame_lambda + 2. * material.shear_modulus;
-          return "elastic, wave speed " + with_prefix(std::sqrt(modulus / body.density), "m/s");
-        }
-      return "fluid, sound speed " +
-             with_prefix(std::sqrt(material.bulk_modulus / body.density), "m/s") + ", viscosity " +
-             with_prefix(material.viscosity, "Pa s");
+      // It is the same in 2D: plane strain.
+      const double wave_speed =
+        undeformed_wave_speed(make_material<3>(body.material, body.density));
+      if (body.material.law == MechanicalLaw::neo_hookean)
+        return "elastic, wave speed " + with_prefix(wave_speed, "m/s");
+      return "fluid, sound speed " + with_prefix(wave_speed, "m/s") + ", viscosity " +
+             with_prefix(body.material.viscosity, "Pa s");
     }
 
     /** "Langevin, chi_0 = 0.91, saturation 82 kA/m", "linear, chi = 0.91", "not magnetic". */
@@ -224,24 +224,18 @@ namespace magmpm
   }
 
   void
-  RunLog::end()
+  RunLog::end(const std::vector<RunOutput> &others)
   {
     *both << "finished in " << duration(seconds_between(start, Clock::now())) << "; results in "
           << directory << '\n';
     if (!splitter)
       return;
 
-    static constexpr const char *results[][2] = {
-      {"particles.pvd", "particles, frame by frame (ParaView)"},
-      {"fields.pvd", "magnetic fields on the mesh (ParaView)"},
-      {"surface.pvd", "surfaces of the bodies (ParaView)"},
-      {"statistics.csv", "a row a step; doc/statistics.md says what the columns mean"},
-      {"log.txt", "these lines"},
-      {"checkpoint", "to go on from, with --resume"},
-      {"parameters.prm", "every parameter of this run; original.prm is the file as given"}};
-    for (const auto &[name, meaning] : results)
-      if (std::filesystem::exists(std::filesystem::path(directory) / name))
-        *both << "  " << std::left << std::setw(16) << name << meaning << '\n';
+    std::vector<RunOutput> outputs = run_outputs();
+    outputs.insert(outputs.end(), others.begin(), others.end());
+    for (const RunOutput &output : outputs)
+      if (std::filesystem::exists(std::filesystem::path(directory) / output.name))
+        *both << "  " << std::left << std::setw(18) << output.name << output.meaning << '\n';
     *both << std::right << std::flush;
   }
 } // namespace magmpm

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <magmpm/magnetics/field_quantities.h>
-#include <magmpm/magnetics/potential_problem.h>
 #include <magmpm/results/frame_series.h>
 
 #include <mpi.h>
@@ -11,6 +10,11 @@
 
 namespace magmpm
 {
+  template <int dim>
+  class ExternalField;
+  template <int dim>
+  class PotentialProblem;
+
   inline const FrameKind field_frames = {"fields", "magnetic fields on the mesh (ParaView)"};
 
   /**

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <magmpm/results/pvd_record.h>
+#include <magmpm/results/run_output.h>
 
 #include <mpi.h>
 
@@ -17,10 +18,10 @@ namespace magmpm
     std::string meaning; ///< for users: "particles, frame by frame (ParaView)"
 
     /** What a user opens. */
-    std::string
-    record_name() const
+    RunOutput
+    record() const
     {
-      return name + ".pvd";
+      return {name + ".pvd", meaning};
     }
   };
 

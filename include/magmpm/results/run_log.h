@@ -1,6 +1,7 @@
 #pragma once
 
 #include <magmpm/materials/material_parameters.h>
+#include <magmpm/results/run_output.h>
 
 #include <mpi.h>
 
@@ -14,6 +15,8 @@
 
 namespace magmpm
 {
+  inline const RunOutput log_output = {"log.txt", "these lines"};
+
   /**
    * What a run says: on the terminal and, word for word, in `log.txt` of its output folder. First a
    * header, then a line a frame, at the end the timing table and where the results are. Rank 0
@@ -98,9 +101,13 @@ namespace magmpm
     std::string
     path() const;
 
-    /** The last lines: wall time of the run and where the results are. */
+    /**
+     * The last lines: wall time of the run, and of run_outputs() and @p others what there is.
+     *
+     * @param others  outputs that are not those of this room.
+     */
     void
-    end();
+    end(const std::vector<RunOutput> &others = {});
 
     /**
      * Terminal and log.txt in one stream, silent on all ranks but 0; for tables that others print

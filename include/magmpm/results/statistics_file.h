@@ -2,6 +2,7 @@
 
 #include <magmpm/base/tensor.h>
 #include <magmpm/coupling/column_table.h>
+#include <magmpm/results/run_output.h>
 
 #include <mpi.h>
 
@@ -13,6 +14,10 @@
 
 namespace magmpm
 {
+  inline const RunOutput statistics_output = {
+    "statistics.csv",
+    "a row a step; doc/statistics.md says what the columns mean"};
+
   /** A column of statistics.csv. */
   struct StatisticsColumn
   {
