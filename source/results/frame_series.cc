@@ -59,8 +59,6 @@ namespace magmpm
             frames.push_back(entry.path());
         for (const fs::path &frame : frames)
           fs::remove(frame);
-        if (fs::is_empty(folder))
-          fs::remove(folder);
       }
     catch (const fs::filesystem_error &error)
       {

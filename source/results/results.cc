@@ -2,6 +2,7 @@
 #include <magmpm/parallel/together.h>
 #include <magmpm/results/field_output.h>
 #include <magmpm/results/results.h>
+#include <magmpm/results/run_outputs.h>
 
 #include <cmath>
 #include <filesystem>
@@ -72,6 +73,8 @@ namespace magmpm
                       parameters.magnetics.model())
   {
     parallel::on_first_rank(communicator, [&]() {
+      if (progress == nullptr)
+        remove_earlier_frames(parameters.output.directory);
       write_text(parameters.output.directory + "/original.prm", parameters.original_text);
       write_text(parameters.output.directory + "/parameters.prm", parameters.complete_text);
     });

@@ -85,7 +85,7 @@ namespace magmpm
                                      const std::string &output_directory,
                                      const int n_kept)
     : communicator(communicator)
-    , folder(output_directory + "/checkpoint")
+    , folder(output_directory + "/" + checkpoint_output.name)
     , n_kept(n_kept)
   {
   }

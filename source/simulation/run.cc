@@ -128,7 +128,7 @@ namespace magmpm
       }
     scene.timer().print(communicator, results.log().stream());
     tell_why_it_ended();
-    results.log().end();
+    results.log().end({checkpoint_output});
   }
 
   template <int dim>

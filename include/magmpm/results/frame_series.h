@@ -90,7 +90,7 @@ namespace magmpm
 
   /**
    * Removes the record of that kind and the files of its frames that an earlier run left in
-   * @p directory, and nothing else; their folder, too, if it is empty then. One rank only.
+   * @p directory, and nothing else: also their folder stays. One rank only.
    *
    * @throw RunError  if one cannot be removed.
    */

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <magmpm/coupling/section.h>
+#include <magmpm/results/run_output.h>
 #include <magmpm/simulation/checkpoint_file.h>
 
 #include <mpi.h>
@@ -11,6 +12,8 @@
 
 namespace magmpm
 {
+  inline const RunOutput checkpoint_output = {"checkpoint", "to go on from, with --resume"};
+
   /** A run between two steps, all that it needs to go on but its particles; the same on all ranks. */
   struct Checkpoint
   {
