@@ -264,7 +264,8 @@ namespace magmpm
   bool
   ParameterRegister::given(const std::string &path) const
   {
-    return !declared(path).value.empty();
+    // What a scene of this dimension refuses was not given either.
+    return !table.is_refused(path) && !declared(path).value.empty();
   }
 
   std::string

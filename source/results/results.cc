@@ -1,3 +1,4 @@
+#include <magmpm/base/exceptions.h>
 #include <magmpm/parallel/reduce.h>
 #include <magmpm/parallel/together.h>
 #include <magmpm/results/field_output.h>

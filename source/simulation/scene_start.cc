@@ -48,7 +48,7 @@ namespace magmpm
   void
   Scene<dim>::regroup_particles()
   {
-    const Scope timed(phase_timer, "Sort and migrate");
+    const parallel::PhaseTimer::Scope timed(phase_timer, "Sort and migrate");
     const Regrouping regrouping = decomposition->regroup(all_bodies);
     if (regrouping.n_lost > 0)
       {

@@ -74,6 +74,12 @@ namespace magmpm
       refused[path] = reason;
     }
 
+    bool
+    is_refused(const std::string &path) const
+    {
+      return refused.count(path) > 0;
+    }
+
     const std::vector<DeclaredParameter> &
     all() const
     {
