@@ -12,24 +12,39 @@ using namespace magmpm::verification;
 
 namespace
 {
+  /** Writes numbers down in the order in which they come. */
+  struct Recorder
+  {
+    std::vector<double> numbers;
+
+    template <typename T>
+    void
+    sum(T &member)
+    {
+      parallel::for_each_number(member, [&](const double number) { numbers.push_back(number); });
+    }
+
+    void
+    max(const double number)
+    {
+      numbers.push_back(number);
+    }
+
+    void
+    min(const double number)
+    {
+      numbers.push_back(number);
+    }
+  };
+
   /** All numbers of the sums. */
   template <int dim>
   std::vector<double>
   numbers(ParticleSums<dim> sums)
   {
-    struct Archive
-    {
-      std::vector<double> values;
-
-      void
-      operator&(const double value)
-      {
-        values.push_back(value);
-      }
-    };
-    Archive archive;
-    sums.serialize(archive, 0);
-    return archive.values;
+    Recorder recorder;
+    sums.for_each_member(recorder);
+    return recorder.numbers;
   }
 
   /** To rounding, relative to the larger one of each pair. */
