@@ -90,10 +90,10 @@ namespace
   {
     const BallExperiment<3> ball = ball_in_box(4., susceptibility);
     paper_scheme::Parameters parameters;
-    parameters.faces                   = paper_scheme::BoxFaces::open;
-    parameters.solver.newton_tolerance = tolerance;
-    auto scheme                        = ball.scheme(parameters);
-    const auto report                  = scheme.solve(ball.particles(), magnet(ball, a));
+    parameters.faces            = paper_scheme::BoxFaces::open;
+    parameters.newton_tolerance = tolerance;
+    auto scheme                 = ball.scheme(parameters);
+    const auto report           = scheme.solve(ball.particles(), magnet(ball, a));
     print("paper", susceptibility, a, report.newton, report.zero_residual);
   }
 

@@ -4,7 +4,11 @@
 //
 //   mpirun -np 2 solver_iterations [RADIUS IN CELLS, 8] [PRECONDITIONER ...]
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
+
+#include <magmpm/parallel/ranks.h>
+#include <magmpm/parallel/reduce.h>
 
 #include <verification/magnetostatics/sources.h>
 #include <verification/magnetostatics/sphere_solve.h>

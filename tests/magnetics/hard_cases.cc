@@ -6,6 +6,7 @@
 #include <magmpm/base/constants.h>
 #include <magmpm/elliptic/elliptic_space.h>
 #include <magmpm/magnetics/material_points.h>
+#include <magmpm/parallel/reduce.h>
 
 #include <verification/magnetostatics/sampled_setup.h>
 #include <verification/magnetostatics/sources.h>

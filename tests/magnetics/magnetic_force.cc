@@ -2,6 +2,7 @@
 
 #include <magmpm/base/constants.h>
 #include <magmpm/mesh/mirror_images.h>
+#include <magmpm/parallel/reduce.h>
 
 #include <verification/magnetostatics/sampled_setup.h>
 #include <verification/magnetostatics/sources.h>
@@ -193,7 +194,7 @@ TEMPLATE_TEST_CASE_SIG("A layer between mirrors does not feel them",
   shielded.fill(true);
   constexpr int n_cells                = 16;
   MagneticsParameters<dim> exact_solve = linear_law<dim>();
-  exact_solve.solver.newton_tolerance         = 1e-14;
+  exact_solve.solver.newton_tolerance  = 1e-14;
   SampledSetup<dim> scene(n_cells, spacing, 2., exact_solve, shielded);
   Vector<dim> lower, upper, field;
   for (int d = 0; d < dim; ++d)

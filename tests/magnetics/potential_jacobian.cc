@@ -4,6 +4,7 @@
 
 #include <magmpm/elliptic/elliptic_residual.h>
 #include <magmpm/elliptic/ml_preconditioner.h>
+#include <magmpm/parallel/reduce.h>
 
 #include <verification/magnetostatics/sampled_setup.h>
 #include <verification/magnetostatics/sources.h>

@@ -2,6 +2,7 @@
 
 #include <magmpm/base/constants.h>
 #include <magmpm/elliptic/elliptic_space.h>
+#include <magmpm/parallel/ranks.h>
 
 #include <verification/magnetostatics/sampled_setup.h>
 #include <verification/magnetostatics/sources.h>

@@ -1,6 +1,7 @@
 #include "catch.h"
 
 #include <magmpm/base/constants.h>
+#include <magmpm/parallel/reduce.h>
 
 #include <verification/magnetostatics/sampled_setup.h>
 #include <verification/magnetostatics/sources.h>
