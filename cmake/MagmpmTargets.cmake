@@ -130,6 +130,11 @@ foreach(line IN LISTS room_lines)
   list(APPEND rooms ${room})
 endforeach()
 
+# Where headers cost more than what is in the files.
+foreach(room geometry magnets results elliptic simulation)
+  magmpm_compile_together(magmpm_${room} ${PROJECT_SOURCE_DIR}/source/elliptic/simd_matrix_free.cc)
+endforeach()
+
 # Until this room includes what it may only.
 target_link_libraries(magmpm_boundary PRIVATE magmpm_magnets)
 
