@@ -1,8 +1,7 @@
 #include <magmpm/base/exceptions.h>
-#include <magmpm/parallel/ranks.h>
 #include <magmpm/parallel/together.h>
 #include <magmpm/results/surface_output.h>
-#include <magmpm/surface/volume_fraction.h>
+#include <magmpm/surface/body_volume.h>
 
 #include <vtkAppendPolyData.h>
 #include <vtkCellData.h>
@@ -26,26 +25,28 @@ namespace magmpm
 {
   namespace
   {
-    /** Where the fraction is a half; triangles or lines. */
+    /** Where half of the lattice is full, within a slab of the box; triangles or lines. */
     template <int dim>
     vtkSmartPointer<vtkPolyData>
-    contour(const VolumeFraction<dim> &fraction, const Lattice<dim> &lattice)
+    contour(const NodeBox<dim> &slab, const NodeBox<dim> &box, const Lattice<dim> &lattice)
     {
-      int count[3]         = {1, 1, 1};
+      // Points are counted from the corner of the box, so that slabs agree on where they are.
+      int extent[6]        = {};
       double corner[3]     = {0., 0., 0.};
-      const Vector<dim> at = lattice.node_position(fraction.first);
+      const Vector<dim> at = lattice.node_position(box.first);
       for (int d = 0; d < dim; ++d)
         {
-          count[d]  = fraction.count[d];
-          corner[d] = at[d];
+          extent[2 * d]     = slab.first[d] - box.first[d];
+          extent[2 * d + 1] = extent[2 * d] + slab.count[d] - 1;
+          corner[d]         = at[d];
         }
       vtkNew<vtkImageData> image;
-      image->SetDimensions(count);
+      image->SetExtent(extent);
       image->SetOrigin(corner);
       image->SetSpacing(lattice.spacing, lattice.spacing, lattice.spacing);
       vtkNew<vtkDoubleArray> values;
-      values->SetNumberOfValues(fraction.values.size());
-      std::copy(fraction.values.begin(), fraction.values.end(), values->GetPointer(0));
+      values->SetNumberOfValues(slab.values.size());
+      std::copy(slab.values.begin(), slab.values.end(), values->GetPointer(0));
       image->GetPointData()->SetScalars(values);
 
       vtkNew<vtkContourFilter> contour;
@@ -53,8 +54,16 @@ namespace magmpm
       contour->SetValue(0, 0.5);
       contour->ComputeScalarsOff();
       contour->ComputeNormalsOff();
+      contour->Update();
+      return contour->GetOutput();
+    }
+
+    /** The contours of all slabs as one: points in which they meet become one. */
+    vtkSmartPointer<vtkPolyData>
+    joined(vtkAppendPolyData *contours)
+    {
       vtkNew<vtkCleanPolyData> clean; // triangles of a contour through a node have no area
-      clean->SetInputConnection(contour->GetOutputPort());
+      clean->SetInputConnection(contours->GetOutputPort());
       clean->SetTolerance(0.);
       clean->ConvertPolysToLinesOff();
       clean->Update();
@@ -84,11 +93,9 @@ namespace magmpm
     /** The surface of a body, with its number on all cells. */
     template <int dim>
     vtkSmartPointer<vtkPolyData>
-    surface_of(const VolumeFraction<dim> &fraction,
-               const Lattice<dim> &lattice,
-               const std::size_t body)
+    surface_of(vtkAppendPolyData *contours, const std::size_t body)
     {
-      vtkSmartPointer<vtkPolyData> surface = contour(fraction, lattice);
+      vtkSmartPointer<vtkPolyData> surface = joined(contours);
       if (surface->GetNumberOfCells() > 0)
         surface = smoothed<dim>(surface);
       vtkNew<vtkFloatArray> number;
@@ -116,9 +123,11 @@ namespace magmpm
   template <int dim>
   SurfaceOutput<dim>::SurfaceOutput(const MPI_Comm communicator,
                                     const std::string &directory,
-                                    const Lattice<dim> &lattice)
+                                    const Lattice<dim> &lattice,
+                                    const std::size_t n_nodes_at_once)
     : communicator(communicator)
     , lattice(lattice)
+    , n_nodes_at_once(n_nodes_at_once)
     , series(communicator, directory, surface_frames)
   {
     series.make_folder();
@@ -130,13 +139,18 @@ namespace magmpm
                                   const double time,
                                   const std::vector<Body<dim>> &bodies)
   {
-    const bool is_first = parallel::rank(communicator) == 0;
     vtkNew<vtkAppendPolyData> all;
     for (std::size_t b = 0; b < bodies.size(); ++b)
       {
-        const VolumeFraction<dim> fraction = volume_fraction(bodies[b], lattice, communicator);
-        if (is_first && fraction.count[0] > 0)
-          all->AddInputData(surface_of(fraction, lattice, b));
+        const BodyVolume<dim> volume(bodies[b], lattice, communicator);
+        vtkNew<vtkAppendPolyData> contours;
+        volume.for_each_slab(
+          [&](const NodeBox<dim> &slab) {
+            contours->AddInputData(contour(slab, volume.box(), lattice));
+          },
+          n_nodes_at_once);
+        if (contours->GetNumberOfInputConnections(0) > 0)
+          all->AddInputData(surface_of<dim>(contours, b));
       }
 
     const std::string file = frame_name(series.name(), frame) + ".vtp";

@@ -3,8 +3,8 @@
 #include "catch.h"
 
 #include <magmpm/base/constants.h>
-#include <magmpm/results/surface_output.h>
 #include <magmpm/particles/seeding.h>
+#include <magmpm/results/surface_output.h>
 
 #include <vtkCell.h>
 #include <vtkCellData.h>
@@ -59,9 +59,11 @@ namespace
 
   template <int dim>
   void
-  write(const std::string &folder, const std::vector<Body<dim>> &bodies)
+  write(const std::string &folder,
+        const std::vector<Body<dim>> &bodies,
+        const std::size_t n_nodes_at_once = 1 << 23)
   {
-    SurfaceOutput<dim> output(MPI_COMM_WORLD, folder, lattice<dim>());
+    SurfaceOutput<dim> output(MPI_COMM_WORLD, folder, lattice<dim>(), n_nodes_at_once);
     output.write_frame(7, 0.25, bodies);
   }
 
@@ -148,7 +150,8 @@ TEST_CASE("In 2D the surface is a closed line", "[results][mpi]")
   CHECK(std::all_of(ends.begin(), ends.end(), [](const auto &end) { return end.second == 2; }));
 }
 
-TEST_CASE("Bodies of a surface are told apart, and no particles make an empty file", "[results][mpi]")
+TEST_CASE("Bodies of a surface are told apart, and no particles make an empty file",
+          "[results][mpi]")
 {
   // Spheres of 3 and 5 dx that do not touch, between them an empty body: cells of the numbers 0 and 2
   // alone, on the side where each sphere is.
@@ -175,4 +178,27 @@ TEST_CASE("Bodies of a surface are told apart, and no particles make an empty fi
   write<3>(folder, {sphere<3>(0., 0.)});
   if (this_rank() == 0)
     CHECK(read(folder)->GetNumberOfCells() == 0);
+}
+
+TEMPLATE_TEST_CASE_SIG("The surface is the same however much of the lattice is held at once",
+                       "[results][mpi]",
+                       ((int dim), dim),
+                       2,
+                       3)
+{
+  // A sphere of 16 cells across in slabs of one layer of blocks each, and in one: the contours of the
+  // slabs meet in the same points, and come in the same order, so that the files are equal to the byte.
+  std::string written[2];
+  for (const bool in_slabs : {false, true})
+    {
+      const std::string folder = fresh_folder("surface_output-slabs-" + std::to_string(dim) + "d" +
+                                              std::to_string(in_slabs));
+      write<dim>(folder, {sphere<dim>(8., 15.3)}, in_slabs ? 1 : 1 << 23);
+      written[in_slabs] = contents(folder + "/surface/surface_0007.vtp");
+    }
+  if (this_rank() == 0)
+    {
+      CHECK(written[0].size() > 1000);
+      CHECK(written[0] == written[1]);
+    }
 }

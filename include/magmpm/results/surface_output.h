@@ -18,10 +18,10 @@ namespace magmpm
    * all bodies together, told apart by the cell quantity "body [-]", and `surface.pvd`, which lists
    * the frames so far.
    *
-   * The surface is where half of the lattice is full of the body (volume_fraction()): triangles, in 2D
+   * The surface is where half of the lattice is full of the body (BodyVolume): triangles, in 2D
    * lines. VTK finds it and smooths it by a windowed sinc filter (Taubin 1996), which keeps volumes.
    * It is closed. What is thinner than about a cell, and single particles, have none. One rank does it,
-   * after all have added up the fractions, so the surface has no seams.
+   * slab by slab as all add up the fractions, so the surface has no seams and no rank holds the lattice.
    */
   template <int dim>
   class SurfaceOutput
@@ -30,11 +30,13 @@ namespace magmpm
     /**
      * Makes the folder `surface` in @p directory, which must exist. Collective.
      *
+     * @param n_nodes_at_once  of the lattice that the writing rank holds, about.
      * @throw RunError if the folder cannot be made.
      */
     SurfaceOutput(const MPI_Comm communicator,
                   const std::string &directory,
-                  const Lattice<dim> &lattice);
+                  const Lattice<dim> &lattice,
+                  const std::size_t n_nodes_at_once = 1 << 23);
 
     /**
      * Writes one frame; ranks and bodies may be without particles. Collective.
@@ -55,6 +57,7 @@ namespace magmpm
   private:
     const MPI_Comm communicator;
     const Lattice<dim> lattice;
+    const std::size_t n_nodes_at_once;
     FrameSeries series;
   };
 } // namespace magmpm
