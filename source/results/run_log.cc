@@ -2,7 +2,7 @@
 #include <magmpm/base/number_text.h>
 #include <magmpm/base/simd.h>
 #include <magmpm/base/version.h>
-#include <magmpm/particles/body.h>
+#include <magmpm/particles/make_material.h>
 #include <magmpm/results/run_log.h>
 #include <magmpm/results/run_outputs.h>
 

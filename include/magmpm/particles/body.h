@@ -16,19 +16,6 @@ namespace magmpm
   template <int dim>
   using Material = std::variant<NeoHookean<dim>, ViscoelasticFluid<dim>>;
 
-  /** @param density  undeformed [kg/m^3]. */
-  template <int dim>
-  Material<dim>
-  make_material(const MaterialParameters &parameters, const double density);
-
-  /** Speed of the fastest wave in undeformed material [m/s]. */
-  template <int dim>
-  inline double
-  undeformed_wave_speed(const Material<dim> &material)
-  {
-    return std::visit([](const auto &law) { return law.wave_speed(law.undeformed()); }, material);
-  }
-
   /**
    * A named body: its material and this rank's particles of it. Particles of one body obey one law,
    * so a kernel call works on one run of one body in one block.
