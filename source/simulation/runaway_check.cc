@@ -1,6 +1,7 @@
 #include <magmpm/base/exceptions.h>
 #include <magmpm/base/number_text.h>
 #include <magmpm/parallel/gather.h>
+#include <magmpm/particles/make_material.h>
 #include <magmpm/particles/particle_quantities.h>
 #include <magmpm/simulation/runaway_check.h>
 
@@ -69,8 +70,7 @@ namespace magmpm
   double
   undeformed_wave_speed(const Body<dim> &body)
   {
-    return std::visit([](const auto &law) { return law.wave_speed(law.undeformed()); },
-                      body.material);
+    return undeformed_wave_speed<dim>(body.material);
   }
 
   template <int dim>
