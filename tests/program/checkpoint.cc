@@ -214,11 +214,16 @@ TEST_CASE("A run that is asked to stop writes a checkpoint", "[program]")
     command = start + "& " + wait + "kill -TERM $!; wait $!";
     reason  = "stopped by SIGTERM or SIGUSR1";
   }
+  SECTION("SIGINT, as Ctrl-C sends it")
+  {
+    // A shell lets what it starts in the background ignore it; env undoes that.
+    command = "env --default-signal=INT " + start + "& " + wait + "kill -INT $!; wait $!";
+    reason  = "stopped by Ctrl-C";
+  }
   SECTION("SIGUSR1, through mpirun")
   {
-    command = mpiexec() + " -n 2 " + start + "& " + wait +
-              "kill -USR1 $!; wait $!";
-    reason = "stopped by SIGTERM or SIGUSR1";
+    command = mpiexec() + " -n 2 " + start + "& " + wait + "kill -USR1 $!; wait $!";
+    reason  = "stopped by SIGTERM or SIGUSR1";
   }
   SECTION("the file")
   {

@@ -36,12 +36,19 @@ namespace magmpm::verification
     return {WEXITSTATUS(status), contents("output.txt"), contents("errors.txt")};
   }
 
-  Outcome
-  run_magmpm(const std::string &arguments, const int n_ranks)
+  std::string
+  magmpm_command(const std::string &arguments, const int n_ranks)
   {
     const std::string launcher = n_ranks == 1 ? ""
                                               : mpiexec() + " -n " + std::to_string(n_ranks) + " ";
-    return run(launcher + magmpm_program() + " " + arguments);
+    return launcher + magmpm_program() + " " + arguments;
+  }
+
+  Outcome
+  run_magmpm(const std::string &arguments, const int n_ranks)
+  {
+    const bool resumes = arguments.find("--resume") != std::string::npos;
+    return run(magmpm_command((resumes ? "" : "--overwrite ") + arguments, n_ranks));
   }
 
   std::string

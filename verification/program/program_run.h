@@ -20,7 +20,14 @@ namespace magmpm::verification
   Outcome
   run(const std::string &command);
 
-  /** Runs magmpm on this many ranks. */
+  /** The shell command that starts magmpm on this many ranks. */
+  std::string
+  magmpm_command(const std::string &arguments, const int n_ranks = 1);
+
+  /**
+   * Runs magmpm on this many ranks; unless it resumes, with --overwrite: what an earlier run of the same
+   * test left is in nobody's way.
+   */
   Outcome
   run_magmpm(const std::string &arguments, const int n_ranks = 1);
 
