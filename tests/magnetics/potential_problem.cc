@@ -1,3 +1,5 @@
+#include <deal.II/base/timer.h>
+
 #include "catch.h"
 
 #include <magmpm/base/constants.h>

@@ -1,3 +1,4 @@
+#include <magmpm/parallel/reduce.h>
 #include <magmpm/mesh/block_partition.h>
 
 #include "catch.h"

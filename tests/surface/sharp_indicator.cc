@@ -1,5 +1,6 @@
 #include "catch.h"
 
+#include <magmpm/parallel/reduce.h>
 #include <magmpm/elliptic/elliptic_space.h>
 #include <magmpm/magnetics/material_points.h>
 #include <magmpm/mesh/node_filters.h>
