@@ -43,6 +43,7 @@ namespace magmpm
                 rigid_bodies.all(),
                 spacing_of_points * parameters.lattice.spacing)
     , magnet_forces(external_field)
+    , forces_of_row(external_field.sources().size())
   {
     move_free_sources(rigid_bodies, external_field);
   }

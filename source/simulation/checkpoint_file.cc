@@ -7,7 +7,7 @@
 #include <unistd.h>
 
 #include <cstdint>
-#include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -27,6 +27,12 @@ namespace magmpm
 
     constexpr char signature[] = "magmpm checkpoint ";
 
+    std::string
+    signature_of(const int format)
+    {
+      return signature + std::to_string(format) + '\n';
+    }
+
     /** The number of the format in the first bytes of a file; 0: it is no file of a checkpoint. */
     int
     format_of(const char *head)
@@ -34,7 +40,8 @@ namespace magmpm
       const std::size_t length = sizeof(signature) - 1;
       if (std::strncmp(head, signature, length) != 0)
         return 0;
-      return std::atoi(head + length);
+      const int format = std::atoi(head + length);
+      return head == signature_of(format) ? format : 0;
     }
   } // namespace
 
@@ -53,7 +60,7 @@ namespace magmpm
   write_checkpoint_file(const std::string &path, const std::vector<ConstBytes> &pieces)
   {
     FileHead head = {};
-    std::snprintf(head.signature, sizeof(head.signature), "%s%d\n", signature, checkpoint_format);
+    signature_of(checkpoint_format).copy(head.signature, sizeof(head.signature) - 1);
     boost::crc_32_type crc;
     for (const ConstBytes &piece : pieces)
       {

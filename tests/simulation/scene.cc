@@ -96,7 +96,10 @@ TEST_CASE("A scene goes on from what another one saved", "[simulation][mpi]")
   other.load(sections, [&](std::vector<Body<3>> &bodies) { bodies = scene.bodies(); });
   for (int i = 0; i < 5; ++i)
     for (Scene<3> *one : {&scene, &other})
-      one->step({1., true, {}});
+      {
+        one->step({1., true, {}});
+        one->prepare_row();
+      }
 
   const ColumnTable columns = scene.columns(), others = other.columns();
   for (const std::string &name : names_of(columns))
@@ -117,8 +120,9 @@ TEST_CASE("the columns of a scene have units of its dimension", "[simulation]")
   const Scene<2> drop(
     read_parameters<2>(read_parameter_file(source_folder() + "/parameter_files/drop_2d.prm")),
     MPI_COMM_WORLD);
+  const ColumnTable table = drop.columns();
   std::string headings;
-  for (const Column &column : drop.columns().all())
+  for (const Column &column : table.all())
     headings += column.name + " [" + column.unit + "]\n";
   for (const std::string heading : {"\nkinetic energy [J/m]\n",
                                     "\nmomentum y [kg/s]\n",
