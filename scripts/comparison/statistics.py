@@ -51,8 +51,12 @@ def is_number(text):
 
 
 def quantity_of(heading):
-    """The components of a vector are one quantity: 'momentum' of 'momentum x [kg m/s]'."""
-    return re.sub(r" [xyz] (?=\[)", " ", heading)
+    """The components of a vector are one quantity: 'momentum' of 'momentum x [kg m/s]'. So are the torques
+    on all magnets, since that on a round wire is zero but for rounding, and the magnetic forces on all
+    bodies with what is dropped of them, which is small beside them."""
+    heading = re.sub(r" [xyz] (?=\[)", " ", heading)
+    return re.sub(r"^(.*: torque|.*: magnetic force|dropped magnetic force)",
+                  lambda name: name[0].replace("dropped ", "").split(": ")[-1], heading)
 
 
 def sizes_of(table):
