@@ -1,4 +1,5 @@
 #include <magmpm/boundary/momentum_update.h>
+#include <magmpm/lattice/node_window.h>
 
 #include <cmath>
 
@@ -16,23 +17,20 @@ namespace magmpm
   {
     const double negligible_mass = 1e-12 * typical_mass;
     const double remaining       = std::exp(-damping_rate * time_step);
-    for (int slot = 0; slot < blocks.n_owned(); ++slot)
-      for (int n = 0; n < nodes_per_block<dim>; ++n)
+    for_nodes(blocks, [&](const int slot, const int n) {
+      const double mass = field.get(NodeMotion::mass, slot, n);
+      if (mass == 0.)
+        return;
+      Vector<dim> velocity;
+      if (mass > negligible_mass)
         {
-          double *node      = field.node(slot, n);
-          const double mass = node[3];
-          if (mass == 0.)
-            continue;
-          Vector<dim> velocity;
-          if (mass > negligible_mass)
-            {
-              for (int d = 0; d < dim; ++d)
-                velocity[d] = remaining * (node[d] / mass + time_step * gravity[d]);
-              velocity = boundary.constrained(node_of_block<dim>(blocks.block(slot), n), velocity);
-            }
+          const Vector<dim> momentum = field.get(NodeMotion::momentum, slot, n);
           for (int d = 0; d < dim; ++d)
-            node[d] = velocity[d];
+            velocity[d] = remaining * (momentum[d] / mass + time_step * gravity[d]);
+          velocity = boundary.constrained(node_of_block<dim>(blocks.block(slot), n), velocity);
         }
+      field.set(NodeMotion::velocity, slot, n, velocity);
+    });
   }
 
   template void

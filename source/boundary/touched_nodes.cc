@@ -43,13 +43,13 @@ namespace magmpm
             near.push_back(static_cast<int>(b));
         for (int n = 0; n < nodes_per_block<dim> && !near.empty(); ++n)
           {
-            const double *values = field.node(slot, n);
-            if (values[n_lanes - 1] > negligible_mass)
-              add_if_touched(bodies,
-                             near,
-                             lattice.node_position(node_of_block<dim>(blocks.block(slot), n)),
-                             {slot, n, 0, {}, {}, {}, values[n_lanes - 1], {}},
-                             values);
+            const double mass = field.get(NodeMotion::mass, slot, n);
+            if (mass > negligible_mass)
+              add_if_touched(
+                bodies,
+                near,
+                lattice.node_position(node_of_block<dim>(blocks.block(slot), n)),
+                {slot, n, 0, {}, {}, field.get(NodeMotion::velocity, slot, n), mass, {}});
           }
       }
   }
@@ -59,8 +59,7 @@ namespace magmpm
   TouchedNodes<dim>::add_if_touched(const std::vector<RigidBody<dim>> &bodies,
                                     const std::vector<int> &near,
                                     const Vector<dim> &position,
-                                    Node node,
-                                    const double *velocity)
+                                    Node node)
   {
     double deepest = 0.;
     for (const int b : near)
@@ -77,8 +76,6 @@ namespace magmpm
       }
     if (deepest == 0.)
       return;
-    for (int d = 0; d < dim; ++d)
-      node.velocity[d] = velocity[d];
     nodes.push_back(node);
   }
 
@@ -136,8 +133,7 @@ namespace magmpm
         const Vector<dim> velocity =
           boundary.constrained(node_of_block<dim>(blocks.block(node.slot), node.number),
                                node.velocity - taken_by(node.share, node.normal, relative));
-        for (int d = 0; d < dim; ++d)
-          field.node(node.slot, node.number)[d] = velocity[d];
+        field.set(NodeMotion::velocity, node.slot, node.number, velocity);
       }
   }
 

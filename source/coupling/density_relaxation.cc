@@ -1,6 +1,6 @@
 #include <magmpm/coupling/density_relaxation.h>
-#include <magmpm/lattice/arena.h>
-#include <magmpm/lattice/bspline.h>
+#include <magmpm/lattice/node_window.h>
+#include <magmpm/particles/quantity_transfer.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,33 +25,6 @@ namespace magmpm
       return std::get_if<ViscoelasticFluid<dim>>(&body.material);
     }
 
-    /** Calls f(place in the arena, weight) for the nodes around a particle. */
-    template <int dim, typename Function>
-    void
-    for_each_node(const Lattice<dim> &lattice,
-                  const Index<dim> &block,
-                  const Vector<dim> &position,
-                  const Function &f)
-    {
-      const Index<dim> first = Arena<dim>::first_node(block), base = lattice.base_node(position);
-      const Vector<dim> x = lattice.reduced(position);
-      double weights[dim][stencil_width];
-      for (int d = 0; d < dim; ++d)
-        quadratic_bspline(x[d] - base[d], weights[d]);
-      for (int n = 0; n < power(stencil_width, dim); ++n)
-        {
-          int place     = 0;
-          double weight = 1.;
-          for (int d = 0, rest = n; d < dim; ++d, rest /= stencil_width)
-            {
-              const int i = rest % stencil_width;
-              place += (base[d] - first[d] + i) * Arena<dim>::stride(d);
-              weight *= weights[d][i];
-            }
-          f(place, weight);
-        }
-    }
-
     /** The share of a node's B-spline that lies inside of the walls; 0 for nodes beyond them. */
     template <int dim>
     double
@@ -71,28 +44,22 @@ namespace magmpm
       return share;
     }
 
-    /** What a particle of @p block has around it. */
+    constexpr auto fluids = [](const auto &body) { return as_fluid(body) != nullptr; };
+
+    /** What a particle has around it. */
     struct Surroundings
     {
       double fraction;   ///< of fluid, in the part of its B-splines that is inside of the walls
       bool near_surface; ///< of which one is free
-    };
 
-    template <int dim>
-    Surroundings
-    surroundings(const Lattice<dim> &lattice,
-                 const Index<dim> &block,
-                 const Vector<dim> &position,
-                 const double *arena)
-    {
-      double fraction = 0., inside = 0., surface = 0.;
-      for_each_node<dim>(lattice, block, position, [&](const int place, const double weight) {
-        fraction += weight * arena[place];
-        inside += weight * arena[place + 1];
-        surface += weight * arena[place + 2];
-      });
-      return {inside > 0. ? fraction / inside : 0., surface > 0. || inside == 0.};
-    }
+      /** @param lanes  NodeFluid, interpolated to the particle. */
+      explicit Surroundings(const NodeLanes &lanes)
+      {
+        const double inside = lanes[NodeFluid::inside.lane];
+        fraction            = (inside > 0. ? lanes[NodeFluid::fraction.lane] / inside : 0.);
+        near_surface        = lanes[NodeFluid::near_surface.lane] > 0. || inside == 0.;
+      }
+    };
   } // namespace
 
   template <int dim>
@@ -115,73 +82,71 @@ namespace magmpm
   }
 
   template <int dim>
-  void
-  complete_fluid_fraction(const BlockSet<dim> &blocks,
-                          const Lattice<dim> &lattice,
-                          const OpenFaces<dim> &open,
-                          NodeField<dim> &field)
+  NodeField<dim, NodeFluid>
+  fluid_on_nodes(const BlockSet<dim> &blocks,
+                 const Lattice<dim> &lattice,
+                 const OpenFaces<dim> &open,
+                 const NodeField<dim, SingleScalar> &volume_fraction)
   {
-    for (int slot = 0; slot < field.n_blocks(); ++slot)
-      for (int n = 0; n < nodes_per_block<dim>; ++n)
-        {
-          double *node = field.node(slot, n);
-          const double share =
-            share_inside<dim>(lattice, open, node_of_block<dim>(blocks.block(slot), n));
-          node[0] = (share > 0. ? node[0] / share : 0.);
-          node[1] = (share > 0.);
-          node[2] = (share > 0. && node[0] < least_fraction);
-        }
+    NodeField<dim, NodeFluid> field(blocks.size());
+    for_nodes_and_ghosts(blocks, [&](const int slot, const int n) {
+      const double share =
+        share_inside<dim>(lattice, open, node_of_block<dim>(blocks.block(slot), n));
+      const double volume   = volume_fraction.get(SingleScalar::value, slot, n);
+      const double fraction = (share > 0. ? volume / share : 0.);
+      field.set(NodeFluid::fraction, slot, n, fraction);
+      field.set(NodeFluid::inside, slot, n, share > 0.);
+      field.set(NodeFluid::near_surface, slot, n, share > 0. && fraction < least_fraction);
+    });
+    return field;
   }
 
   template <int dim>
   DensityError
-  relax_volume_ratios(const NodeField<dim> &field,
+  relax_volume_ratios(const NodeField<dim, NodeFluid> &field,
                       const BlockSet<dim> &blocks,
                       const Lattice<dim> &lattice,
                       const double time,
                       std::vector<Body<dim>> &bodies)
   {
     DensityError error;
-    Arena<dim> arena;
-    for (Body<dim> &body : bodies)
-      if (const ViscoelasticFluid<dim> *fluid = as_fluid(body))
-        {
-          const double tau = relaxation_time * lattice.spacing / fluid->wave_speed(1.);
-          const double way = 1. - std::exp(-time / tau);
-          double *ratio    = body.particles.component(ParticleProperty::deformation, 0);
-          for (int slot = 0; slot < blocks.n_owned(); ++slot)
+    gather(
+      field,
+      blocks,
+      lattice,
+      fluids,
+      [&](Body<dim> &body) {
+        const double tau = relaxation_time * lattice.spacing / as_fluid(body)->wave_speed(1.);
+        const double way = 1. - std::exp(-time / tau);
+        double *ratio    = body.particles.component(ParticleProperty::deformation, 0);
+        return [&error, way, ratio](const std::size_t p, const NodeLanes &lanes) {
+          const Surroundings around(lanes);
+          if (around.near_surface && around.fraction >= spray_fraction)
+            return;
+          const double target = (around.near_surface ? 1. : 1. / around.fraction);
+          if (!around.near_surface)
             {
-              if (body.run_begin[slot] == body.run_begin[slot + 1])
-                continue;
-              arena.load(field, blocks, slot);
-              for (std::size_t p = body.run_begin[slot]; p < body.run_begin[slot + 1]; ++p)
-                {
-                  const Surroundings around = surroundings<dim>(
-                    lattice, blocks.block(slot), body.particles.position(p), arena.data());
-                  if (around.near_surface && around.fraction >= spray_fraction)
-                    continue;
-                  const double target = (around.near_surface ? 1. : 1. / around.fraction);
-                  if (!around.near_surface)
-                    {
-                      error.sum += std::abs(target - ratio[p]);
-                      error.n_particles += 1.;
-                    }
-                  ratio[p] += way * (target - ratio[p]);
-                }
+              error.sum += std::abs(target - ratio[p]);
+              error.n_particles += 1.;
             }
-        }
+          ratio[p] += way * (target - ratio[p]);
+        };
+      },
+      bodies);
     return error;
   }
 
-#define INSTANTIATE(dim)                                                                    \
-  template bool has_fluid(const std::vector<Body<dim>> &);                                  \
-  template MaterialSelection undeformed_fluids(const std::vector<Body<dim>> &);             \
-  template void complete_fluid_fraction(                                                    \
-    const BlockSet<dim> &, const Lattice<dim> &, const OpenFaces<dim> &, NodeField<dim> &); \
-  template DensityError relax_volume_ratios(const NodeField<dim> &,                         \
-                                            const BlockSet<dim> &,                          \
-                                            const Lattice<dim> &,                           \
-                                            double,                                         \
+#define INSTANTIATE(dim)                                                                   \
+  template bool has_fluid(const std::vector<Body<dim>> &);                                 \
+  template MaterialSelection undeformed_fluids(const std::vector<Body<dim>> &);            \
+  template NodeField<dim, NodeFluid> fluid_on_nodes(const BlockSet<dim> &,                 \
+                                                    const Lattice<dim> &,                  \
+                                                    const OpenFaces<dim> &,                \
+                                                    const NodeField<dim, SingleScalar> &); \
+  template DensityError relax_volume_ratios(const NodeField<dim, NodeFluid> &,             \
+                                            const BlockSet<dim> &,                         \
+                                            const Lattice<dim> &,                          \
+                                            double,                                        \
                                             std::vector<Body<dim>> &);
 
   INSTANTIATE(2)

@@ -20,11 +20,13 @@ namespace magmpm
     if (!relaxed_this_step)
       return;
     const BlockSet<dim> &blocks = partition.blocks();
-    NodeField<dim> fraction =
-      volume_fraction(bodies, undeformed_fluids(bodies), partition, lattice);
-    complete_fluid_fraction(blocks, lattice, open, fraction);
+    const NodeField<dim, NodeFluid> field =
+      fluid_on_nodes(blocks,
+                     lattice,
+                     open,
+                     volume_fraction(bodies, undeformed_fluids(bodies), partition, lattice));
     found =
-      relax_volume_ratios(fraction, blocks, lattice, relaxation_period * clock.time_step, bodies);
+      relax_volume_ratios(field, blocks, lattice, relaxation_period * clock.time_step, bodies);
   }
 
   template <int dim>

@@ -1,8 +1,8 @@
 #include <magmpm/coupling/carried_force.h>
 #include <magmpm/coupling/magnetic_coupling.h>
+#include <magmpm/lattice/node_window.h>
 #include <magmpm/magnetics/potential_problem.h>
 #include <magmpm/magnetics/source_reaction.h>
-#include <magmpm/mesh/mirror_images.h>
 #include <magmpm/parallel/reduce.h>
 #include <magmpm/particles/magnetic_transfer.h>
 #include <magmpm/particles/particle_sums.h>
@@ -159,8 +159,7 @@ namespace magmpm
     solve_potential(bodies);
     const double way = memory.age.carried_way;
     carry_force(nodal_accelerations(bodies), bodies);
-    NodeField<dim> field;
-    field.reinit(partition->blocks().size());
+    NodeField<dim, SingleVector> field;
     problem->compute_field(field);
     interpolate_to_particles(
       field, partition->blocks(), parameters.lattice, ParticleProperty::magnetic_field, bodies);
@@ -196,46 +195,42 @@ namespace magmpm
   }
 
   template <int dim>
-  NodeField<dim>
+  NodeField<dim, NodeContent>
   MagneticCoupling<dim>::magnetic_content(std::vector<Body<dim>> &bodies) const
   {
-    NodeField<dim> content;
-    content.reinit(partition->blocks().size());
+    NodeField<dim, NodeContent> content(partition->blocks().size());
     magnetic_content_to_lattice(bodies, partition->blocks(), parameters.lattice, content);
-    partition->add_ghosts_to_owners(content);
+    partition->add_ghosts_to_owners(content, Parity());
     partition->update_ghosts(content);
     return content;
   }
 
   template <int dim>
-  NodeField<dim>
+  NodeField<dim, SingleVector>
   MagneticCoupling<dim>::nodal_accelerations(std::vector<Body<dim>> &bodies)
   {
     // Only magnetic particles carry the force, so nodes give it to the mass of these alone.
     const BlockSet<dim> &blocks = partition->blocks();
-    NodeField<dim> masses, force;
-    masses.reinit(blocks.size());
-    force.reinit(blocks.size());
+    NodeField<dim, SingleScalar> masses(blocks.size());
+    NodeField<dim, SingleVector> force;
     magnetic_mass_to_lattice(bodies, blocks, parameters.lattice, masses);
-    partition->add_ghosts_to_owners(masses);
+    partition->add_ghosts_to_owners(masses, Parity());
     partition->update_ghosts(masses);
-    add_mirror_images(*partition, parameters.lattice, parameters.magnetics.shielded, masses);
     memory.dropped_force = problem->compute_force(masses, force);
-    for (int slot = 0; slot < blocks.n_owned(); ++slot)
-      for (int n = 0; n < nodes_per_block<dim>; ++n)
-        {
-          double *node      = force.node(slot, n);
-          const double mass = masses.node(slot, n)[3];
-          for (int d = 0; d < dim; ++d)
-            node[d] = (mass > 0. ? node[d] / mass : 0.);
-        }
+    for_nodes(blocks, [&](const int slot, const int n) {
+      const double mass  = masses.get(SingleScalar::value, slot, n);
+      Vector<dim> vector = force.get(SingleVector::value, slot, n);
+      for (int d = 0; d < dim; ++d)
+        vector[d] = (mass > 0. ? vector[d] / mass : 0.);
+      force.set(SingleVector::value, slot, n, vector);
+    });
     partition->update_ghosts(force);
     return force;
   }
 
   template <int dim>
   void
-  MagneticCoupling<dim>::carry_force(const NodeField<dim> &accelerations,
+  MagneticCoupling<dim>::carry_force(const NodeField<dim, SingleVector> &accelerations,
                                      std::vector<Body<dim>> &bodies)
   {
     for (Body<dim> &body : bodies)

@@ -78,51 +78,44 @@ namespace magmpm
             derivative_matrix[q][base + 1 + i] = derivatives[i];
           }
       }
-
-    for (int corner = 0; corner < nodes_per_block<dim>; ++corner)
-      for (int i = 0; i < n_stencil_nodes<dim>; ++i)
-        {
-          Place place = {0, 0};
-          for (int d = 0, rest = i, lower = corner; d < dim; ++d)
-            {
-              const int node = lower % block_edge - 1 + rest % stencil_edge; // -1 .. 6
-              rest /= stencil_edge;
-              lower /= block_edge;
-              place.neighbour += power(3, d) * (node < 0 ? 0 : (node < block_edge ? 1 : 2));
-              place.node += power(block_edge, d) * ((node + block_edge) % block_edge);
-            }
-          places[corner][i] = place;
-        }
   }
 
   template <int dim>
-  int
-  CellStencil<dim>::number_in_block(const Index<dim> &corner)
+  template <typename Function>
+  void
+  CellStencil<dim>::for_each_node(const BlockSet<dim> &blocks,
+                                  const int slot,
+                                  const Index<dim> &corner,
+                                  const Function &f)
   {
-    int number = 0;
+    // Nodes -1 .. 3 from the corner, which is one of 0 .. 3.
+    using Window                = NodeWindow<dim, 1, 3>;
+    static constexpr auto boxes = Window::template box_offsets<stencil_edge>();
+    const auto &neighbours      = blocks.neighbours(slot);
+    int first                   = 0;
     for (int d = 0; d < dim; ++d)
-      number += power(block_edge, d) * corner[d];
-    return number;
+      first += Window::stride(d) * corner[d];
+    for (int i = 0; i < n_stencil_nodes<dim>; ++i)
+      {
+        const NodePlace &place = Window::place(first + boxes[i]);
+        f(i, neighbours[place.neighbour], place.node);
+      }
   }
 
   template <int dim>
   void
-  CellStencil<dim>::gather(const NodeField<dim> &field,
+  CellStencil<dim>::gather(const NodeNumbers<dim> &field,
                            const BlockSet<dim> &blocks,
                            const int slot,
                            const Index<dim> &corner,
                            StencilValues<dim> &values) const
   {
-    const auto &neighbours = blocks.neighbours(slot);
-    const Places &nodes    = places[number_in_block(corner)];
-    for (int i = 0; i < n_stencil_nodes<dim>; ++i)
-      {
-        const int other = neighbours[nodes[i].neighbour];
-        if (other == invalid_slot)
-          std::fill_n(&values[i * n_lanes], n_lanes, 0.);
-        else
-          std::copy_n(field.node(other, nodes[i].node), n_lanes, &values[i * n_lanes]);
-      }
+    const int width = std::min(field.layout().n_lanes, n_lanes);
+    values.fill(0.);
+    for_each_node(blocks, slot, corner, [&](const int i, const int other, const int node) {
+      if (other != invalid_slot)
+        std::copy_n(field.node(other, node), width, &values[i * n_lanes]);
+    });
   }
 
   template <int dim>
@@ -131,19 +124,16 @@ namespace magmpm
                                 const BlockSet<dim> &blocks,
                                 const int slot,
                                 const Index<dim> &corner,
-                                NodeField<dim> &field) const
+                                NodeNumbers<dim> &field) const
   {
-    const auto &neighbours = blocks.neighbours(slot);
-    const Places &nodes    = places[number_in_block(corner)];
-    for (int i = 0; i < n_stencil_nodes<dim>; ++i)
-      {
-        const int other = neighbours[nodes[i].neighbour];
-        if (other == invalid_slot)
-          continue;
-        double *node = field.node(other, nodes[i].node);
-        for (int lane = 0; lane < n_lanes; ++lane)
-          node[lane] += values[i * n_lanes + lane];
-      }
+    const int width = std::min(field.layout().n_lanes, n_lanes);
+    for_each_node(blocks, slot, corner, [&](const int i, const int other, const int node) {
+      if (other == invalid_slot)
+        return;
+      double *lanes = field.node(other, node);
+      for (int lane = 0; lane < width; ++lane)
+        lanes[lane] += values[i * n_lanes + lane];
+    });
   }
 
   template <int dim>

@@ -83,8 +83,12 @@ namespace magmpm
       set_stress(const int q, const double factor, const Matrix<dim> &tensor)
       {
         for (int axis = 0; axis < dim; ++axis)
-          for (int d = 0; d < dim; ++d)
-            stress[axis][q * n_lanes + d] = factor * tensor(d, axis);
+          {
+            Vector<dim> column;
+            for (int d = 0; d < dim; ++d)
+              column[d] = factor * tensor(d, axis);
+            stress[axis].set(SingleVector::value, q, column);
+          }
       }
     };
 
@@ -109,8 +113,7 @@ namespace magmpm
               forces.set_stress(q, -weight * inverse_spacing, lane_of(tensors, lane));
               const Vector<dim> density = material.source_gradient(first_point + q) *
                                           lane_of(batch.response.mean.magnetization, lane);
-              for (int d = 0; d < dim; ++d)
-                forces.body[q * n_lanes + d] = weight * density[d];
+              forces.body.set(SingleVector::value, q, weight * density);
             }
         });
     }
@@ -126,30 +129,36 @@ namespace magmpm
              lane_of(batch.self_field + (1. - batch.fraction) * batch.response.jump, lane);
     }
 
-    /**
-     * Whether all blocks are active that hold cells under the B-spline of a node: it reaches 3/2 dx,
-     * from nodes 0 and 1 of a block into the one below, from node 3 into the one above.
-     */
+    /** Whether all blocks are active that hold cells under the B-spline of a node. */
     template <int dim>
     bool
-    is_covered(const BlockSet<dim> &blocks, const int slot, int node)
+    is_covered(const BlockSet<dim> &blocks, const int slot, const int node)
     {
-      int reach[dim];
-      for (int d = 0; d < dim; ++d, node /= block_edge)
-        {
-          const int place = node % block_edge;
-          reach[d]        = (place < 2 ? -1 : (place == block_edge - 1 ? 1 : 0));
-        }
-      for (int corner = 0; corner < power(2, dim); ++corner)
-        {
-          int neighbour = 0;
-          for (int d = 0; d < dim; ++d)
-            neighbour += power(3, d) * (1 + ((corner >> d) & 1) * reach[d]);
-          if (blocks.neighbours(slot)[neighbour] == invalid_slot)
-            return false;
-        }
+      // The B-spline reaches 3/2 dx: from the cell whose lower node lies two before to that one after.
+      using Window           = NodeWindow<dim, 2, 1>;
+      constexpr auto corners = Window::template box_offsets<2>();
+      const auto &around     = blocks.neighbours(slot);
+      const int first        = Window::of_block(node) - 2 * corners.back();
+      for (const int corner : corners)
+        if (around[Window::place(first + 3 * corner).neighbour] == invalid_slot)
+          return false;
       return true;
     }
+
+    /** int f N_i H and int f N_i. */
+    struct WeightedField
+    {
+      static constexpr NodeVector<WeightedField> field  = {0};
+      static constexpr NodeScalar<WeightedField> weight = {n_lanes - 1};
+
+      template <typename Function>
+      static constexpr void
+      for_each(Function &&f)
+      {
+        f(field);
+        f(weight);
+      }
+    };
   } // namespace
 
   template <int dim>
@@ -157,7 +166,7 @@ namespace magmpm
   compute_split_force(const EllipticProblem<dim> &potential,
                       const MaterialPoints<dim> &material,
                       const BlockPartition<dim> &partition,
-                      NodeField<dim> &force)
+                      NodeField<dim, SingleVector> &force)
   {
     const BlockSet<dim> &blocks     = partition.blocks();
     const double inverse_spacing    = 1. / material.cells().spacing();
@@ -187,7 +196,7 @@ namespace magmpm
     partition.add_ghosts_to_owners(force);
     for_nodes(blocks, [&](const int slot, const int node) {
       if (!is_covered<dim>(blocks, slot, node))
-        std::fill_n(force.node(slot, node), dim, 0.);
+        force.set(SingleVector::value, slot, node, {});
     });
   }
 
@@ -196,12 +205,11 @@ namespace magmpm
   compute_material_field(const EllipticProblem<dim> &potential,
                          const MaterialPoints<dim> &material,
                          const BlockPartition<dim> &partition,
-                         NodeField<dim> &field)
+                         NodeField<dim, SingleVector> &field)
   {
     const BlockSet<dim> &blocks     = partition.blocks();
     const CellStencil<dim> &stencil = material.cells().stencil();
-    field.reinit(blocks.size());
-    // The weight takes the fourth lane: this is why it is free to the caller.
+    NodeField<dim, WeightedField> sums(blocks.size());
     for_active_cells(
       potential, material, [&](const unsigned int cell, const PointVectors<dim> &self_field) {
         const unsigned int first = material.first_point(cell);
@@ -219,23 +227,23 @@ namespace magmpm
                                       material.volume_fraction(first + q);
                 const Vector<dim> total =
                   material_field(material.source_field(first + q), batch, lane);
-                for (int d = 0; d < dim; ++d)
-                  values[q * n_lanes + d] = weight * total[d];
-                values[q * n_lanes + n_lanes - 1] = weight;
+                values.set(WeightedField::field, q, weight * total);
+                values.set(WeightedField::weight, q, weight);
               }
           });
         StencilValues<dim> nodes = {};
         stencil.add_tested(values, nodes);
-        material.cells().scatter_add(nodes, cell, field);
+        material.cells().scatter_add(nodes, cell, sums);
       });
 
-    partition.add_ghosts_to_owners(field);
+    partition.add_ghosts_to_owners(sums);
+    field.reinit(blocks.size());
     for_nodes(blocks, [&](const int slot, const int node) {
-      double *lanes       = field.node(slot, node);
-      const double weight = lanes[n_lanes - 1];
+      const double weight = sums.get(WeightedField::weight, slot, node);
+      Vector<dim> mean    = sums.get(WeightedField::field, slot, node);
       for (int d = 0; d < dim && weight > 0.; ++d)
-        lanes[d] /= weight;
-      lanes[n_lanes - 1] = 0.;
+        mean[d] /= weight;
+      field.set(SingleVector::value, slot, node, mean);
     });
     partition.update_ghosts(field);
   }
@@ -274,11 +282,11 @@ namespace magmpm
   template void compute_split_force(const EllipticProblem<dim> &,                         \
                                     const MaterialPoints<dim> &,                          \
                                     const BlockPartition<dim> &,                          \
-                                    NodeField<dim> &);                                    \
+                                    NodeField<dim, SingleVector> &);                      \
   template void compute_material_field(const EllipticProblem<dim> &,                      \
                                        const MaterialPoints<dim> &,                       \
                                        const BlockPartition<dim> &,                       \
-                                       NodeField<dim> &);                                 \
+                                       NodeField<dim, SingleVector> &);                   \
   template std::vector<MaterialSample<dim>> sample_material(const EllipticProblem<dim> &, \
                                                             const MaterialPoints<dim> &);
 

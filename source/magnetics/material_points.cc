@@ -1,22 +1,10 @@
+#include <magmpm/lattice/node_window.h>
 #include <magmpm/magnetics/material_points.h>
-#include <magmpm/mesh/mirror_images.h>
 
 #include <algorithm>
 
 namespace magmpm
 {
-  namespace
-  {
-    /** Lanes of the content. */
-    enum ContentLane
-    {
-      volume,
-      saturation,
-      susceptibility,
-      grains
-    };
-  } // namespace
-
   template <int dim>
   MaterialPoints<dim>::MaterialPoints(const BackgroundMesh<dim> &mesh,
                                       const BlockPartition<dim> &partition,
@@ -25,7 +13,6 @@ namespace magmpm
     , lattice(mesh.lattice())
     , law(parameters.model())
     , is_sharp(parameters.indicator == MaterialIndicator::sharp)
-    , shielded(parameters.shielded)
     , the_cells(lattice, mesh.parameters().cell_edge)
   {
   }
@@ -33,35 +20,36 @@ namespace magmpm
   template <int dim>
   void
   MaterialPoints<dim>::reinit(const std::vector<Index<dim>> &lattice_cells,
-                              const NodeField<dim> &content,
+                              const NodeField<dim, NodeContent> &content,
                               const ExternalField<dim> &sources)
   {
-    NodeField<dim> mirrored(content);
-    add_mirror_images(partition, lattice, shielded, mirrored);
-
     the_cells.reinit(lattice_cells, partition.blocks());
     if (is_sharp)
       {
-        the_indicator.reinit(
-          partition, lattice, shielded, the_cells, mirrored, [&sources](const Vector<dim> &x) {
-            return sources.is_solid(x);
-          });
+        NodeField<dim, SingleScalar> volumes(partition.blocks().size());
+        for_nodes_and_ghosts(partition.blocks(), [&](const int slot, const int node) {
+          volumes.set(
+            SingleScalar::value, slot, node, content.get(NodeContent::volume, slot, node));
+        });
+        the_indicator.reinit(partition, the_cells, volumes, [&sources](const Vector<dim> &x) {
+          return sources.is_solid(x);
+        });
         first_points = the_indicator.first_points();
       }
     else
-      find_smeared_cells(mirrored);
+      find_smeared_cells(content);
 
     points.clear();
     total_weight = 0.;
     first_moment = Vector<dim>();
     for (unsigned int cell = 0; cell < the_cells.size(); ++cell)
       if (first_points[cell] != none)
-        set_medium(cell, mirrored, sources);
+        set_medium(cell, content, sources);
   }
 
   template <int dim>
   void
-  MaterialPoints<dim>::find_smeared_cells(const NodeField<dim> &content)
+  MaterialPoints<dim>::find_smeared_cells(const NodeField<dim, NodeContent> &content)
   {
     unsigned int n_found = 0;
     StencilValues<dim> nodes;
@@ -71,7 +59,7 @@ namespace magmpm
         {
           the_cells.gather(content, cell, nodes);
           for (int i = 0; i < n_stencil_nodes<dim> && first_points[cell] == none; ++i)
-            if (nodes[i * n_lanes + susceptibility] > 0.)
+            if (nodes.get(NodeContent::susceptibility, i) > 0.)
               first_points[cell] = n_points<dim> * n_found++;
         }
   }
@@ -79,7 +67,7 @@ namespace magmpm
   template <int dim>
   void
   MaterialPoints<dim>::set_medium(const unsigned int cell,
-                                  const NodeField<dim> &content,
+                                  const NodeField<dim, NodeContent> &content,
                                   const ExternalField<dim> &sources)
   {
     StencilValues<dim> nodes;
@@ -90,28 +78,28 @@ namespace magmpm
     for (int q = 0; q < n_points<dim>; ++q)
       {
         points.emplace_back();
-        Point &point        = points.back();
-        const double *lanes = &contents[q * n_lanes];
-        double density      = 1.; // of the medium over that of the content
+        Point &point   = points.back();
+        double density = 1.; // of the medium over that of the content
         if (is_sharp)
           {
             const auto &at = the_indicator.point(first_points[cell] + q);
             point.fraction = point.volume_fraction = at.fraction;
             point.normal                           = at.normal;
-            density                                = at.correction / lanes[volume];
+            density = at.correction / contents.get(NodeContent::volume, q);
           }
         else
           {
-            point.fraction        = (lanes[susceptibility] > 0. ? 1. : 0.);
-            point.volume_fraction = lanes[volume];
+            point.fraction        = (contents.get(NodeContent::susceptibility, q) > 0. ? 1. : 0.);
+            point.volume_fraction = contents.get(NodeContent::volume, q);
           }
         if (!(point.fraction > 0.))
           continue;
 
         const Vector<dim> position             = the_cells.point(cell, q);
-        point.content.saturation_magnetization = density * lanes[saturation];
-        point.content.initial_susceptibility   = density * lanes[susceptibility];
-        point.number_density                   = density * lanes[grains];
+        point.content.saturation_magnetization = density * contents.get(NodeContent::saturation, q);
+        point.content.initial_susceptibility   = density *
+                                               contents.get(NodeContent::susceptibility, q);
+        point.number_density = density * contents.get(NodeContent::grains, q);
         sources.check_material_at(position);
         point.field    = sources.field(position);
         point.gradient = sources.field_gradient(position);

@@ -2,7 +2,6 @@
 #include <magmpm/magnetics/force_handover.h>
 #include <magmpm/magnetics/magnetic_force.h>
 #include <magmpm/magnetics/potential_problem.h>
-#include <magmpm/mesh/mirror_images.h>
 #include <magmpm/parallel/phase_timer.h>
 #include <magmpm/parallel/reduce.h>
 
@@ -24,7 +23,8 @@ namespace magmpm
 
   template <int dim>
   void
-  PotentialProblem<dim>::set_state(const NodeField<dim> &content, const ExternalField<dim> &sources)
+  PotentialProblem<dim>::set_state(const NodeField<dim, NodeContent> &content,
+                                   const ExternalField<dim> &sources)
   {
     const parallel::PhaseTimer::Scope section(timer, "Solve potential: material");
     points.reinit(potential.lattice_cells(), content, sources);
@@ -43,7 +43,8 @@ namespace magmpm
 
   template <int dim>
   SolveReport
-  PotentialProblem<dim>::solve(const NodeField<dim> &content, const ExternalField<dim> &sources)
+  PotentialProblem<dim>::solve(const NodeField<dim, NodeContent> &content,
+                               const ExternalField<dim> &sources)
   {
     potential.follow_mesh();
     set_state(content, sources);
@@ -61,20 +62,19 @@ namespace magmpm
 
   template <int dim>
   Vector<dim>
-  PotentialProblem<dim>::compute_force(const NodeField<dim> &mass, NodeField<dim> &force) const
+  PotentialProblem<dim>::compute_force(const NodeField<dim, SingleScalar> &mass,
+                                       NodeField<dim, SingleVector> &force) const
   {
     const parallel::PhaseTimer::Scope section(timer, "Compute magnetic force");
     compute_split_force(potential, points, partition, force);
     // The quadrature ends at a mirror, where stress does not: the force needs that of both sides.
-    add_mirror_images_of_vector(partition, mesh.lattice(), parameters.shielded, force);
-    const Vector<dim> dropped = hand_force_inward(partition, mass, force);
-    partition.update_ghosts(force);
-    return parallel::sum(dropped, mesh.communicator());
+    add_images(partition.blocks(), partition.walls(), Parity(), force);
+    return parallel::sum(hand_force_inward(partition, mass, force), mesh.communicator());
   }
 
   template <int dim>
   void
-  PotentialProblem<dim>::compute_field(NodeField<dim> &field) const
+  PotentialProblem<dim>::compute_field(NodeField<dim, SingleVector> &field) const
   {
     const parallel::PhaseTimer::Scope section(timer, "Compute magnetic force");
     compute_material_field(potential, points, partition, field);

@@ -1,17 +1,27 @@
+#include <magmpm/lattice/node_window.h>
 #include <magmpm/mesh/mirror_images.h>
-
-#include <algorithm>
 
 namespace magmpm
 {
   namespace
   {
-    enum class Image
+    using LaneSigns = std::array<double, NodeLayout::max_lanes>;
+
+    /** Of the images of all lanes behind a wall across @p axis. */
+    LaneSigns
+    signs(const NodeLayout &layout, const Parity &parity, const int axis)
     {
-      add,
-      copy,
-      add_vector
-    };
+      LaneSigns result;
+      for (int lane = 0; lane < layout.n_lanes; ++lane)
+        {
+          const int component     = layout.components[lane];
+          const Parity::Sign sign = (component < 0 ? parity.scalars : parity.vectors);
+          const bool is_odd       = (sign == Parity::odd ||
+                               (sign == Parity::odd_normal && component == axis));
+          result[lane]            = (is_odd ? -1. : 1.);
+        }
+      return result;
+    }
 
     /**
      * Treats the nodes at the wall through node 0 along @p axis of the block in @p slot; material is
@@ -23,111 +33,85 @@ namespace magmpm
                      const int slot,
                      const int axis,
                      const bool is_in_front,
-                     const Image image,
-                     NodeField<dim> &field)
+                     const bool adds,
+                     const LaneSigns &signs,
+                     NodeNumbers<dim> &field)
     {
-      const int below  = blocks.neighbours(slot)[n_neighbours<dim> / 2 - power(3, axis)];
-      const int stride = power(block_edge, axis);
-      const bool adds  = (image != Image::copy);
-      std::array<double, n_lanes> sign; // of the image of a lane
-      sign.fill(1.);
-      if (image == Image::add_vector)
-        sign[axis] = -1.;
+      using Window       = NodeWindow<dim, block_edge - 1, 0>;
+      const int n_lanes  = field.layout().n_lanes;
+      const auto &around = blocks.neighbours(slot);
       for (int node = 0; node < nodes_per_block<dim>; ++node)
         {
-          const int place = node / stride % block_edge;
-          double *lanes   = field.node(slot, node);
-          if (place == 0)
-            for (int lane = 0; lane < n_lanes && adds; ++lane)
-              lanes[lane] += sign[lane] * lanes[lane];
-          else if (below != invalid_slot)
+          const int distance = node / power(block_edge, axis) % block_edge;
+          const NodePlace &image =
+            Window::place(Window::of_block(node) - 2 * distance * Window::stride(axis));
+          const int image_slot = around[image.neighbour];
+          if (image_slot == invalid_slot)
+            continue;
+          // Both are the same on the wall.
+          double *here     = field.node(slot, node);
+          double *opposite = field.node(image_slot, image.node);
+          double *front    = (is_in_front ? here : opposite);
+          double *behind   = (is_in_front ? opposite : here);
+          for (int lane = 0; lane < n_lanes; ++lane)
             {
-              // Node -place is node 4 - place of the block below.
-              double *opposite = field.node(below, node + (block_edge - 2 * place) * stride);
-              for (int lane = 0; lane < n_lanes; ++lane)
-                {
-                  double &front  = (is_in_front ? lanes : opposite)[lane];
-                  double &behind = (is_in_front ? opposite : lanes)[lane];
-                  if (adds && place == 1)
-                    front += sign[lane] * behind;
-                  behind = sign[lane] * front;
-                }
+              if (adds && distance <= 1)
+                front[lane] += signs[lane] * behind[lane];
+              if (distance > 0)
+                behind[lane] = signs[lane] * front[lane];
+              else if (signs[lane] < 0.)
+                front[lane] = 0.;
             }
         }
     }
 
     template <int dim>
     void
-    reflect(const BlockPartition<dim> &partition,
-            const Lattice<dim> &lattice,
-            const std::array<bool, 2 * dim> &shielded,
-            const Image image,
-            NodeField<dim> &field)
+    reflect(const BlockSet<dim> &blocks,
+            const MirrorWalls<dim> &walls,
+            const Parity &parity,
+            const bool adds,
+            NodeNumbers<dim> &field)
     {
-      if (std::none_of(shielded.begin(), shielded.end(), [](const bool is) { return is; }))
-        return;
-
-      // Blocks behind a wall have the owner of the one in front of it: both sides are at hand.
-      const BlockSet<dim> &blocks = partition.blocks();
       for (int face = 0; face < 2 * dim; ++face)
-        if (shielded[face])
+        if (walls.is_mirror[face])
           {
-            const int axis      = face / 2;
-            const bool is_lower = (face % 2 == 0);
-            const int wall      = (is_lower ? 0 : lattice.n_cells[axis]);
+            const int axis             = face / 2;
+            const bool is_lower        = (face % 2 == 0);
+            const int wall             = (is_lower ? 0 : walls.n_cells[axis]);
+            const LaneSigns lane_signs = signs(field.layout(), parity, axis);
             for (int slot = 0; slot < blocks.n_owned(); ++slot)
               if (block_edge * blocks.block(slot)[axis] == wall)
-                reflect_in_block(blocks, slot, axis, is_lower, image, field);
+                reflect_in_block(blocks, slot, axis, is_lower, adds, lane_signs, field);
           }
-      // Those of forces are zero: what is handed over between nodes is summed there.
-      if (image != Image::add_vector)
-        partition.update_ghosts(field);
     }
   } // namespace
 
   template <int dim>
   void
-  add_mirror_images(const BlockPartition<dim> &partition,
-                    const Lattice<dim> &lattice,
-                    const std::array<bool, 2 * dim> &shielded,
-                    NodeField<dim> &content)
+  add_images(const BlockSet<dim> &blocks,
+             const MirrorWalls<dim> &walls,
+             const Parity &parity,
+             NodeNumbers<dim> &field)
   {
-    reflect(partition, lattice, shielded, Image::add, content);
+    reflect(blocks, walls, parity, true, field);
   }
 
   template <int dim>
   void
-  copy_mirror_images(const BlockPartition<dim> &partition,
-                     const Lattice<dim> &lattice,
-                     const std::array<bool, 2 * dim> &shielded,
-                     NodeField<dim> &field)
+  copy_images(const BlockSet<dim> &blocks,
+              const MirrorWalls<dim> &walls,
+              const Parity &parity,
+              NodeNumbers<dim> &field)
   {
-    reflect(partition, lattice, shielded, Image::copy, field);
+    reflect(blocks, walls, parity, false, field);
   }
 
-  template <int dim>
-  void
-  add_mirror_images_of_vector(const BlockPartition<dim> &partition,
-                              const Lattice<dim> &lattice,
-                              const std::array<bool, 2 * dim> &shielded,
-                              NodeField<dim> &field)
-  {
-    reflect(partition, lattice, shielded, Image::add_vector, field);
-  }
-
-#define MAGMPM_INSTANTIATE(dim)                                                \
-  template void add_mirror_images(const BlockPartition<dim> &,                 \
-                                  const Lattice<dim> &,                        \
-                                  const std::array<bool, 2 * dim> &,           \
-                                  NodeField<dim> &);                           \
-  template void copy_mirror_images(const BlockPartition<dim> &,                \
-                                   const Lattice<dim> &,                       \
-                                   const std::array<bool, 2 * dim> &,          \
-                                   NodeField<dim> &);                          \
-  template void add_mirror_images_of_vector(const BlockPartition<dim> &,       \
-                                            const Lattice<dim> &,              \
-                                            const std::array<bool, 2 * dim> &, \
-                                            NodeField<dim> &);
+#define MAGMPM_INSTANTIATE(dim)                                                           \
+  template void add_images(                                                               \
+    const BlockSet<dim> &, const MirrorWalls<dim> &, const Parity &, NodeNumbers<dim> &); \
+  template void copy_images(                                                              \
+    const BlockSet<dim> &, const MirrorWalls<dim> &, const Parity &, NodeNumbers<dim> &);
 
   MAGMPM_INSTANTIATE(2)
   MAGMPM_INSTANTIATE(3)

@@ -13,6 +13,8 @@ namespace magmpm
 {
   namespace
   {
+    constexpr auto all_bodies = [](const auto &) { return true; };
+
     template <int n_components, int batch>
     inline void
     add_arrays(double *const (&components)[n_components],
@@ -223,7 +225,7 @@ namespace magmpm
       bodies,
       blocks,
       lattice,
-      false,
+      all_bodies,
       [&](const int) { arena.set_zero(); },
       [&](const std::size_t b, const Run<dim> &run) {
         std::visit(
@@ -249,7 +251,7 @@ namespace magmpm
       bodies,
       blocks,
       lattice,
-      false,
+      all_bodies,
       [&](const int slot) { arena.load(field, blocks, slot); },
       [&](const std::size_t b, const Run<dim> &run) {
         std::visit(

@@ -13,7 +13,7 @@ namespace magmpm
   }
 
   template <int dim>
-  const NodeField<dim> &
+  const NodeField<dim, SingleScalar> &
   MaterialFields<dim>::volume_fraction(const MaterialSelection &selection)
   {
     for (const Answer &answer : answers)

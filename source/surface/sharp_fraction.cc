@@ -1,5 +1,4 @@
 #include <magmpm/lattice/node_window.h>
-#include <magmpm/mesh/mirror_images.h>
 #include <magmpm/mesh/node_filters.h>
 #include <magmpm/surface/sharp_fraction.h>
 
@@ -23,38 +22,28 @@ namespace magmpm
   template <int dim>
   void
   SharpFraction<dim>::reinit(const BlockPartition<dim> &partition,
-                             const Lattice<dim> &lattice,
-                             const std::array<bool, 2 * dim> &shielded,
-                             const NodeField<dim> &volumes,
+                             const NodeField<dim, SingleScalar> &volumes,
                              const SharpFractionParameters &parameters)
   {
     const BlockSet<dim> &blocks = partition.blocks();
-    nodes.reinit(blocks.size());
-    for_nodes_and_ghosts(blocks, [&](const int slot, const int node) {
-      nodes.node(slot, node)[volume] = volumes.node(slot, node)[0];
-    });
-    remove_smear(partition, nodes);
-    copy_mirror_images(partition, lattice, shielded, nodes);
+    NodeField<dim, SingleScalar> sharpened(volumes);
+    remove_smear(partition, sharpened);
     for (int pass = 0; pass < parameters.n_smoothing_passes; ++pass)
-      {
-        smooth(partition, nodes);
-        copy_mirror_images(partition, lattice, shielded, nodes);
-      }
+      smooth(partition, sharpened);
 
     // Twice over 3^dim nodes is once over 5^dim.
-    NodeField<dim> largest(nodes);
+    NodeField<dim, SingleScalar> largest(sharpened);
     for (int pass = 0; pass < 2; ++pass)
-      {
-        maximize(partition, largest);
-        copy_mirror_images(partition, lattice, shielded, largest);
-      }
+      maximize(partition, largest);
 
     clipped = 0;
+    nodes.reinit(blocks.size());
     for_nodes_and_ghosts(blocks, [&](const int slot, const int node) {
-      const double around          = largest.node(slot, node)[volume] / parameters.full_volume;
-      nodes.node(slot, node)[full] = std::clamp(around, smallest_full, 1.);
+      const double around = largest.get(SingleScalar::value, slot, node) / parameters.full_volume;
+      nodes.set(Nodes::volume, slot, node, sharpened.get(SingleScalar::value, slot, node));
+      nodes.set(Nodes::full, slot, node, std::clamp(around, smallest_full, 1.));
       clipped += slot < blocks.n_owned() && around < smallest_full &&
-                 volumes.node(slot, node)[0] > 0.;
+                 volumes.get(SingleScalar::value, slot, node) > 0.;
     });
   }
 

@@ -76,7 +76,7 @@ namespace magmpm
                  const MaterialSelection &selection,
                  const BlockSet<dim> &blocks,
                  const Lattice<dim> &lattice,
-                 NodeField<dim> &field)
+                 NodeField<dim, SingleScalar> &field)
   {
     const double per_cell = 1. / std::pow(lattice.spacing, dim);
     const bool deforms    = selection.volume == ParticleVolume::deformed;
@@ -101,14 +101,13 @@ namespace magmpm
   }
 
   template <int dim>
-  NodeField<dim>
+  NodeField<dim, SingleScalar>
   volume_fraction(const std::vector<Body<dim>> &bodies,
                   const MaterialSelection &selection,
                   const BlockPartition<dim> &partition,
                   const Lattice<dim> &lattice)
   {
-    NodeField<dim> field;
-    field.reinit(partition.blocks().size());
+    NodeField<dim, SingleScalar> field(partition.blocks().size());
     scatter_volume(bodies, selection, partition.blocks(), lattice, field);
     partition.add_ghosts_to_owners(field);
     partition.update_ghosts(field);
@@ -129,24 +128,12 @@ namespace magmpm
     const double cell_volume = std::pow(lattice.spacing, dim);
     for (std::size_t p = 0; p < body.particles.size(); ++p)
       {
-        const Vector<dim> x   = body.particles.position(p);
-        const Index<dim> base = lattice.base_node(x);
-        double weights[dim][stencil_width];
-        for (int d = 0; d < dim; ++d)
-          quadratic_bspline(lattice.reduced(x)[d] - base[d], weights[d]);
         const double part = particle_volume_ratio(body, p) *
                             body.particles.component(ParticleProperty::volume, 0)[p] / cell_volume;
-        for (int i = 0; i < power(stencil_width, dim); ++i)
-          {
-            Index<dim> node = base;
-            double weight   = part;
-            for (int d = 0, rest = i; d < dim; ++d, rest /= stencil_width)
-              {
-                node[d] += rest % stencil_width;
-                weight *= weights[d][rest % stencil_width];
-              }
-            fraction.values[place_of<dim>(fraction, node)] += weight;
-          }
+        for_stencil(
+          lattice, body.particles.position(p), [&](const Index<dim> &node, const double weight) {
+            fraction.values[place_of<dim>(fraction, node)] += part * weight;
+          });
       }
 
     const bool is_first = parallel::rank(communicator) == 0;
@@ -160,16 +147,16 @@ namespace magmpm
     return fraction;
   }
 
-#define MAGMPM_INSTANTIATE(dim)                                           \
-  template void scatter_volume(const std::vector<Body<dim>> &,            \
-                               const MaterialSelection &,                 \
-                               const BlockSet<dim> &,                     \
-                               const Lattice<dim> &,                      \
-                               NodeField<dim> &);                         \
-  template NodeField<dim> volume_fraction(const std::vector<Body<dim>> &, \
-                                          const MaterialSelection &,      \
-                                          const BlockPartition<dim> &,    \
-                                          const Lattice<dim> &);          \
+#define MAGMPM_INSTANTIATE(dim)                                                         \
+  template void scatter_volume(const std::vector<Body<dim>> &,                          \
+                               const MaterialSelection &,                               \
+                               const BlockSet<dim> &,                                   \
+                               const Lattice<dim> &,                                    \
+                               NodeField<dim, SingleScalar> &);                         \
+  template NodeField<dim, SingleScalar> volume_fraction(const std::vector<Body<dim>> &, \
+                                                        const MaterialSelection &,      \
+                                                        const BlockPartition<dim> &,    \
+                                                        const Lattice<dim> &);          \
   template VolumeFraction<dim> volume_fraction(const Body<dim> &, const Lattice<dim> &, MPI_Comm);
 
   MAGMPM_INSTANTIATE(2)

@@ -45,10 +45,9 @@ namespace
   {
     const BlockSet<2> blocks = active_blocks(bodies, lattice);
     sort_all(blocks, lattice, bodies);
-    NodeField<2> field;
-    field.reinit(blocks.size());
-    scatter_volume(bodies, undeformed_fluids(bodies), blocks, lattice, field);
-    complete_fluid_fraction(blocks, lattice, OpenFaces<2>(), field);
+    NodeField<2, SingleScalar> fraction(blocks.size());
+    scatter_volume(bodies, undeformed_fluids(bodies), blocks, lattice, fraction);
+    const NodeField<2, NodeFluid> field = fluid_on_nodes(blocks, lattice, OpenFaces<2>(), fraction);
     return relax_volume_ratios(field, blocks, lattice, time, bodies);
   }
 

@@ -23,15 +23,15 @@ TEMPLATE_TEST_CASE_SIG("Force without mass is handed inward",
     centre[d] = 2.1 + 0.05 * d;
   scene.set_bodies({sphere<dim>(centre, 1.2, {1., 1.})});
 
-  NodeField<dim> force;
-  force.reinit(scene.partition.blocks().size());
+  constexpr auto vector = SingleVector::value;
+  NodeField<dim, SingleVector> force(scene.partition.blocks().size());
   scene.for_owned_nodes([&](const int slot, const int node, const Vector<dim> &x) {
+    Vector<dim> f;
     for (int d = 0; d < dim; ++d)
-      force.node(slot, node)[d] = 1. + std::sin(3. * x[0] + d) * std::cos(5. * x[1]);
+      f[d] = 1. + std::sin(3. * x[0] + d) * std::cos(5. * x[1]);
+    force.set(vector, slot, node, f);
   });
-  Vector<dim> before, after;
-  for (int d = 0; d < dim; ++d)
-    before[d] = scene.sum(force, d);
+  const Vector<dim> before = scene.sum(force);
 
   const Vector<dim> dropped = hand_force_inward<dim>(scene.partition, scene.mass, force);
 
@@ -39,12 +39,12 @@ TEMPLATE_TEST_CASE_SIG("Force without mass is handed inward",
     {
       const double all_dropped = parallel::sum(dropped[d], MPI_COMM_WORLD);
       CHECK(all_dropped > 0.);
-      CHECK(scene.sum(force, d) + all_dropped == Approx(before[d]).epsilon(1e-13));
+      CHECK(scene.sum(force)[d] + all_dropped == Approx(before[d]).epsilon(1e-13));
     }
   double on_empty_nodes = 0., smallest_on_mass = 1e300;
   scene.for_owned_nodes([&](const int slot, const int node, const Vector<dim> &) {
-    const double f = std::abs(force.node(slot, node)[0]);
-    if (scene.mass.node(slot, node)[n_lanes - 1] > 0.)
+    const double f = std::abs(force.get(vector, slot, node)[0]);
+    if (scene.mass.get(SingleScalar::value, slot, node) > 0.)
       smallest_on_mass = std::min(smallest_on_mass, f);
     else
       on_empty_nodes = std::max(on_empty_nodes, f);
@@ -57,16 +57,18 @@ TEMPLATE_TEST_CASE_SIG("Force without mass is handed inward",
   scene.for_owned_nodes([&](const int slot, const int node, const Vector<dim> &x) {
     Vector<dim> start = centre;
     start[0] -= 1.2 + 3. * dx;
+    Vector<dim> f;
+    f[0] = 1.;
     if (norm(scene.lattice.reduced(x - start)) < 0.9)
-      force.node(slot, node)[0] = 1.;
+      force.set(vector, slot, node, f);
   });
-  const double given = scene.sum(force, 0);
+  const double given = scene.sum(force)[0];
   const double lost  = parallel::sum(hand_force_inward<dim>(scene.partition, scene.mass, force)[0],
                                     MPI_COMM_WORLD);
   CHECK(given > 0.);
-  CHECK(scene.sum(force, 0) + lost == Approx(given).epsilon(1e-13));
+  CHECK(scene.sum(force)[0] + lost == Approx(given).epsilon(1e-13));
   scene.for_owned_nodes([&](const int slot, const int node, const Vector<dim> &x) {
-    if (force.node(slot, node)[0] != 0.)
+    if (force.get(vector, slot, node)[0] != 0.)
       CHECK(x[0] < centre[0]);
   });
 }

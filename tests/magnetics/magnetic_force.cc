@@ -1,7 +1,6 @@
 #include "catch.h"
 
 #include <magmpm/base/constants.h>
-#include <magmpm/mesh/mirror_images.h>
 #include <magmpm/parallel/reduce.h>
 
 #include <verification/magnetostatics/sampled_setup.h>
@@ -204,14 +203,15 @@ TEMPLATE_TEST_CASE_SIG("A layer between mirrors does not feel them",
   scene.set_bodies({box<dim>(lower, upper, {1., 1.5})});
   scene.problem.solve(scene.content, ExternalField<dim>({uniform_source<dim>(field)}));
 
-  add_mirror_images(scene.partition, scene.lattice, shielded, scene.mass);
-  NodeField<dim> force;
+  add_images(scene.partition.blocks(), scene.partition.walls(), Parity(), scene.mass);
+  scene.partition.update_ghosts(scene.mass);
+  NodeField<dim, SingleVector> force;
   scene.problem.compute_force(scene.mass, force);
   // Least and largest acceleration by height and place in the cell.
   std::map<Index<dim>, std::pair<double, double>> rows;
   double largest = 0., across = 0.;
   scene.for_owned_nodes([&](const int slot, const int node, const Vector<dim> &x) {
-    const double mass = scene.mass.node(slot, node)[n_lanes - 1];
+    const double mass = scene.mass.get(SingleScalar::value, slot, node);
     Index<dim> row;
     bool is_inside = true;
     for (int d = 0; d < dim; ++d)
@@ -223,7 +223,7 @@ TEMPLATE_TEST_CASE_SIG("A layer between mirrors does not feel them",
       }
     if (!(mass > 0. && is_inside))
       return;
-    const double *f           = force.node(slot, node);
+    const Vector<dim> f       = force.get(SingleVector::value, slot, node);
     const double acceleration = f[dim - 1] / mass;
     const auto entry          = rows.try_emplace(row, acceleration, acceleration).first;
     entry->second.first       = std::min(entry->second.first, acceleration);

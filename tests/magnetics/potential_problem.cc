@@ -152,9 +152,9 @@ TEMPLATE_TEST_CASE_SIG("Newton's method takes no more steps than needed",
 
   scene.set_bodies({sphere<dim>(centre, 4. * spacing, {})});
   CHECK(scene.problem.solve(scene.content, sources).newton.steps == 0);
-  NodeField<dim> force;
+  NodeField<dim, SingleVector> force;
   scene.problem.compute_force(scene.mass, force);
-  CHECK(scene.sum(force, 0) == 0.);
+  CHECK(scene.sum(force)[0] == 0.);
 }
 
 // Energy and forces are the same on any number of ranks, up to the tolerance of Newton's method: they
@@ -168,16 +168,16 @@ TEST_CASE("The force does not depend on the number of ranks", "[magnetics][mpi]"
                                   uniform_source<3>({{0., 1e4, 0.}})});
   scene.set_bodies({sphere<3>({{0.12, 0.135, 0.15}}, 6. * spacing, grains(2.))});
   const SolveReport report = scene.problem.solve(scene.content, sources);
-  NodeField<3> force, field;
+  NodeField<3, SingleVector> force, field;
   scene.problem.compute_force(scene.mass, force);
   scene.problem.compute_field(field);
   const auto first_moment    = [](const Vector<3> &x) { return x[0] - 2. * x[1] + 3. * x[2]; };
   const double figures[]     = {report.energy,
-                                scene.sum(force, 0),
-                                scene.sum(force, 1),
-                                scene.sum(force, 2),
-                                scene.sum(force, 1, first_moment),
-                                scene.sum(field, 2, first_moment)};
+                                scene.sum(force)[0],
+                                scene.sum(force)[1],
+                                scene.sum(force)[2],
+                                scene.sum(force, first_moment)[1],
+                                scene.sum(field, first_moment)[2]};
   const double on_one_rank[] = {-0.577489015811627,
                                 3.76184676439882,
                                 -6.52184073676784,
@@ -232,11 +232,11 @@ TEST_CASE("Each mesh has its own exchange pattern", "[magnetics][mpi]")
   if (parallel::n_ranks(MPI_COMM_WORLD) == 2)
     REQUIRE(n_own(moved) == n_before); // else this test would test nothing
   CHECK(report.energy == Approx(expected.energy).epsilon(1e-11));
-  NodeField<2> force, expected_force;
+  NodeField<2, SingleVector> force, expected_force;
   moved.problem.compute_force(moved.mass, force);
   fresh.problem.compute_force(fresh.mass, expected_force);
   const auto first_moment = [](const Vector<2> &x) { return x[0] - 2. * x[1]; };
   for (int d = 0; d < 2; ++d)
-    CHECK(moved.sum(force, d, first_moment) ==
-          Approx(fresh.sum(expected_force, d, first_moment)).epsilon(1e-9));
+    CHECK(moved.sum(force, first_moment)[d] ==
+          Approx(fresh.sum(expected_force, first_moment)[d]).epsilon(1e-9));
 }

@@ -66,13 +66,13 @@ namespace
     double
     inner_field() const
     {
-      NodeField<dim> field;
+      NodeField<dim, SingleVector> field;
       scene.problem.compute_field(field);
       double sum = 0., count = 0.;
       scene.for_owned_nodes([&](const int slot, const int node, const Vector<dim> &x) {
         if (norm(x - centre) < 0.5 * radius)
           {
-            sum += field.node(slot, node)[dim - 1];
+            sum += field.get(SingleVector::value, slot, node)[dim - 1];
             count += 1.;
           }
       });
@@ -249,14 +249,15 @@ TEMPLATE_TEST_CASE_SIG("Shielded faces are mirrors", "[magnetics][mpi]", ((int d
   field[0] = 1e5;
   scene.problem.solve(scene.content, ExternalField<dim>({uniform_source<dim>(field)}));
 
-  NodeField<dim> inner;
+  NodeField<dim, SingleVector> inner;
   scene.problem.compute_field(inner);
   double lowest = 1e300, highest = 0.;
   scene.for_owned_nodes([&](const int slot, const int node, const Vector<dim> &x) {
     if (distance(x) < 0.5 * radius && x[dim - 1] >= 0. && x[dim - 1] <= 16. * spacing)
       {
-        lowest  = std::min(lowest, inner.node(slot, node)[0]);
-        highest = std::max(highest, inner.node(slot, node)[0]);
+        const double along = inner.get(SingleVector::value, slot, node)[0];
+        lowest             = std::min(lowest, along);
+        highest            = std::max(highest, along);
       }
   });
   lowest             = parallel::min(lowest, MPI_COMM_WORLD);

@@ -1,5 +1,6 @@
 #include <magmpm/parallel/reduce.h>
 #include <magmpm/mesh/block_partition.h>
+#include <magmpm/parallel/reduce.h>
 
 #include "catch.h"
 #include "scattered_blocks.h"
@@ -84,13 +85,12 @@ namespace
              const std::vector<Index<dim>> &mine)
   {
     const BlockSet<dim> &blocks = partition.blocks();
-    NodeField<dim> field;
-    field.reinit(blocks.size());
+    NodeField<dim, NodeContent> field(blocks.size());
     for (const Index<dim> &block : mine)
       for (const int slot : blocks.neighbours(blocks.slot(block)))
         {
           REQUIRE(slot != invalid_slot);
-          for (int i = 0; i < NodeField<dim>::block_size; ++i)
+          for (int i = 0; i < field.block_size; ++i)
             field.block(slot)[i] += 1.;
         }
 
@@ -102,7 +102,7 @@ namespace
           double expected = 0.;
           for (int n = 0; n < n_neighbours<dim> && !zero; ++n)
             expected += occupied_set.count(neighbour_block<dim>(blocks.block(slot), n));
-          for (int i = 0; i < NodeField<dim>::block_size; ++i)
+          for (int i = 0; i < field.block_size; ++i)
             n_wrong += (field.block(slot)[i] != expected);
         }
       return n_wrong;
@@ -120,18 +120,17 @@ namespace
   check_update(const BlockPartition<dim> &partition)
   {
     const BlockSet<dim> &blocks = partition.blocks();
-    NodeField<dim> field;
-    field.reinit(blocks.size());
+    NodeField<dim, NodeContent> field(blocks.size());
     const auto expected = [&](const int slot, const int i) {
       return signature<dim>(blocks.block(slot), i / n_lanes, i % n_lanes);
     };
     for (int slot = 0; slot < blocks.n_owned(); ++slot)
-      for (int i = 0; i < NodeField<dim>::block_size; ++i)
+      for (int i = 0; i < field.block_size; ++i)
         field.block(slot)[i] = expected(slot, i);
     partition.update_ghosts(field);
     int n_wrong = 0;
     for (int slot = 0; slot < blocks.size(); ++slot)
-      for (int i = 0; i < NodeField<dim>::block_size; ++i)
+      for (int i = 0; i < field.block_size; ++i)
         n_wrong += (field.block(slot)[i] != expected(slot, i));
     CHECK(n_wrong == 0);
   }

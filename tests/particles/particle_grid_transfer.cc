@@ -1,3 +1,4 @@
+#include <magmpm/lattice/node_window.h>
 #include <magmpm/particles/magnetic_transfer.h>
 #include <magmpm/particles/particle_grid_transfer.h>
 #include <magmpm/particles/particle_sums.h>
@@ -183,24 +184,20 @@ namespace
     return largest;
   }
 
-  /** A field that varies linearly, q = constant + slope x, on the nodes of all blocks. */
-  template <int dim>
-  NodeField<dim>
-  linear_field(const BlockSet<dim> &blocks,
+  /** A vector that varies linearly, q = constant + slope x, on the nodes of all blocks. */
+  template <int dim, typename Quantities>
+  NodeField<dim, Quantities>
+  linear_field(const NodeVector<Quantities> quantity,
+               const BlockSet<dim> &blocks,
                const Lattice<dim> &lattice,
                const Vector<dim> &constant,
                const Matrix<dim> &slope)
   {
-    NodeField<dim> field;
-    field.reinit(blocks.size());
-    for (int slot = 0; slot < blocks.size(); ++slot)
-      for (int n = 0; n < nodes_per_block<dim>; ++n)
-        {
-          const Index<dim> node   = node_of_block<dim>(blocks.block(slot), n);
-          const Vector<dim> value = constant + slope * lattice.node_position(node);
-          for (int d = 0; d < dim; ++d)
-            field.node(slot, n)[d] = value[d];
-        }
+    NodeField<dim, Quantities> field(blocks.size());
+    for_nodes_and_ghosts(blocks, [&](const int slot, const int n) {
+      const Index<dim> node = node_of_block<dim>(blocks.block(slot), n);
+      field.set(quantity, slot, n, constant + slope * lattice.node_position(node));
+    });
     return field;
   }
 
@@ -291,7 +288,8 @@ TEMPLATE_TEST_CASE_SIG("G2P of a linear velocity field is exact",
       const BlockSet<dim> blocks    = active_blocks(bodies, lattice);
       sort_all(blocks, lattice, bodies);
       const std::vector<Body<dim>> before = bodies;
-      const NodeField<dim> field = linear_field(blocks, lattice, some_vector<dim>(), slope);
+      const NodeField<dim> field =
+        linear_field(NodeMotion::velocity, blocks, lattice, some_vector<dim>(), slope);
       lattice_to_particles(field, blocks, lattice, time_step, bodies);
 
       std::vector<Body<dim>> expected = before;
@@ -391,7 +389,8 @@ TEST_CASE("G2P reports the extremes of each body, and what is not a number as in
   const BlockSet<2> blocks = active_blocks(bodies, lattice);
   sort_all(blocks, lattice, bodies);
 
-  NodeField<2> field = linear_field(blocks, lattice, {{3., 4.}}, Matrix<2>{{{0., -2.}, {2., 0.}}});
+  NodeField<2> field = linear_field<2>(
+    NodeMotion::velocity, blocks, lattice, {{3., 4.}}, Matrix<2>{{{0., -2.}, {2., 0.}}});
   std::vector<Body<2>> moved = bodies;
   auto extremes              = lattice_to_particles(field, blocks, lattice, 0., moved);
   REQUIRE(extremes.size() == 2);
@@ -436,16 +435,16 @@ TEMPLATE_TEST_CASE_SIG("the magnetic content of the nodes is that of the magneti
   std::vector<Body<dim>> bodies = random_bodies(lattice);
   const BlockSet<dim> blocks    = active_blocks(bodies, lattice);
   sort_all(blocks, lattice, bodies);
-  NodeField<dim> content;
-  content.reinit(blocks.size());
+  NodeField<dim, NodeContent> content(blocks.size());
   magnetic_content_to_lattice(bodies, blocks, lattice, content);
 
-  double sums[n_lanes] = {};
-  const double cell    = std::pow(lattice.spacing, dim);
-  for_each_node(blocks, lattice, content, [&](const Vector<dim> &, const double *node) {
-    for (int lane = 0; lane < n_lanes; ++lane)
-      sums[lane] += cell * node[lane];
-  });
+  const auto sum = [&](const NodeScalar<NodeContent> quantity) {
+    double result = 0.;
+    for_nodes_and_ghosts(blocks, [&](const int slot, const int n) {
+      result += std::pow(lattice.spacing, dim) * content.get(quantity, slot, n);
+    });
+    return result;
+  };
   double volume = 0., undeformed_volume = 0.;
   const ParticleSet<dim> &particles = bodies[0].particles;
   for (std::size_t p = 0; p < particles.size(); ++p)
@@ -454,10 +453,10 @@ TEMPLATE_TEST_CASE_SIG("the magnetic content of the nodes is that of the magneti
       undeformed_volume += v0;
       volume += v0 * determinant(matrix_of(particles, ParticleProperty::deformation, p));
     }
-  CHECK(sums[0] == Approx(volume).epsilon(1e-12));
-  CHECK(sums[1] == Approx(undeformed_volume * 5.).epsilon(1e-12));
-  CHECK(sums[2] == Approx(undeformed_volume * 0.9).epsilon(1e-12));
-  CHECK(sums[3] == Approx(undeformed_volume * 3.).epsilon(1e-12));
+  CHECK(sum(NodeContent::volume) == Approx(volume).epsilon(1e-12));
+  CHECK(sum(NodeContent::saturation) == Approx(undeformed_volume * 5.).epsilon(1e-12));
+  CHECK(sum(NodeContent::susceptibility) == Approx(undeformed_volume * 0.9).epsilon(1e-12));
+  CHECK(sum(NodeContent::grains) == Approx(undeformed_volume * 3.).epsilon(1e-12));
 }
 
 TEMPLATE_TEST_CASE_SIG("magnetic particles take a linear field from the nodes exactly",
@@ -481,10 +480,11 @@ TEMPLATE_TEST_CASE_SIG("magnetic particles take a linear field from the nodes ex
       for (int d = 0; d < dim; ++d)
         expected[0].particles.component(ParticleProperty::magnetic_field, d)[p] = value[d];
     }
-  interpolate_to_particles(linear_field(blocks, lattice, some_vector<dim>(), some_matrix<dim>()),
-                           blocks,
-                           lattice,
-                           ParticleProperty::magnetic_field,
-                           bodies);
+  interpolate_to_particles(
+    linear_field(SingleVector::value, blocks, lattice, some_vector<dim>(), some_matrix<dim>()),
+    blocks,
+    lattice,
+    ParticleProperty::magnetic_field,
+    bodies);
   CHECK(largest_difference(bodies, expected) < 1e-13);
 }

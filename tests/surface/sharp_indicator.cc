@@ -16,6 +16,23 @@ namespace
   constexpr double spacing        = 0.01; ///< dx [m]
   constexpr double susceptibility = 0.91;
 
+  /** Functions to be smoothed. */
+  struct Functions
+  {
+    static constexpr NodeScalar<Functions> one    = {0};
+    static constexpr NodeScalar<Functions> sine   = {1};
+    static constexpr NodeScalar<Functions> cosine = {2};
+
+    template <typename Function>
+    static constexpr void
+    for_each(Function &&f)
+    {
+      f(one);
+      f(sine);
+      f(cosine);
+    }
+  };
+
   /** The medium that bodies become, without a potential. */
   template <int dim>
   class Medium
@@ -63,7 +80,7 @@ namespace
     double
     sampled_volume() const
     {
-      return scene.sum(scene.mass, n_lanes - 1);
+      return scene.sum(scene.mass);
     }
 
     SampledSetup<dim> scene;
@@ -201,25 +218,25 @@ TEMPLATE_TEST_CASE_SIG("The smoothing filter is symmetric and conservative",
 {
   const Medium<dim> medium({test_sphere<dim>(5.)});
   const SampledSetup<dim> &scene = medium.scene;
-  NodeField<dim> field;
-  field.reinit(scene.partition.blocks().size());
+  NodeField<dim, Functions> field(scene.partition.blocks().size());
   scene.for_owned_nodes([&](const int slot, const int node, const Vector<dim> &x) {
-    field.node(slot, node)[0] = 1.;
-    field.node(slot, node)[1] = std::sin(300. * x[0] + 200. * x[1]);
-    field.node(slot, node)[2] = std::cos(500. * x[0] * x[1] / spacing);
+    field.set(Functions::one, slot, node, 1.);
+    field.set(Functions::sine, slot, node, std::sin(300. * x[0] + 200. * x[1]));
+    field.set(Functions::cosine, slot, node, std::cos(500. * x[0] * x[1] / spacing));
   });
   scene.partition.update_ghosts(field);
-  NodeField<dim> smoothed(field);
+  NodeField<dim, Functions> smoothed(field);
   smooth(scene.partition, smoothed);
 
   double difference = 0., products[2] = {0., 0.}, sums[2] = {0., 0.};
   scene.for_owned_nodes([&](const int slot, const int node, const Vector<dim> &) {
-    const double *a = field.node(slot, node), *b = smoothed.node(slot, node);
-    difference = std::max(difference, std::abs(b[0] - 1.));
-    products[0] += a[1] * b[2];
-    products[1] += b[1] * a[2];
-    sums[0] += a[1];
-    sums[1] += b[1];
+    const double sine        = field.get(Functions::sine, slot, node);
+    const double smooth_sine = smoothed.get(Functions::sine, slot, node);
+    difference = std::max(difference, std::abs(smoothed.get(Functions::one, slot, node) - 1.));
+    products[0] += sine * smoothed.get(Functions::cosine, slot, node);
+    products[1] += smooth_sine * field.get(Functions::cosine, slot, node);
+    sums[0] += sine;
+    sums[1] += smooth_sine;
   });
   for (double *figure : {&products[0], &products[1], &sums[0], &sums[1]})
     *figure = parallel::sum(*figure, MPI_COMM_WORLD);

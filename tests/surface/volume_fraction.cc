@@ -42,11 +42,11 @@ namespace
 
     /** Of all ranks. */
     double
-    volume_on_nodes(const NodeField<dim> &fraction) const
+    volume_on_nodes(const NodeField<dim, SingleScalar> &fraction) const
     {
       double volume = 0.;
       for_nodes(partition.blocks(), [&](const int slot, const int node) {
-        volume += fraction.node(slot, node)[0] * std::pow(lattice.spacing, dim);
+        volume += fraction.get(SingleScalar::value, slot, node) * std::pow(lattice.spacing, dim);
       });
       return parallel::sum(volume, MPI_COMM_WORLD);
     }
@@ -108,17 +108,18 @@ TEMPLATE_TEST_CASE_SIG("The lattice is as full as the selected particles are lar
                 volume += body.particles.component(ParticleProperty::volume, 0)[p] *
                           (kind == ParticleVolume::deformed ? particle_volume_ratio(body, p) : 1.);
               }
-        const NodeField<dim> fraction =
+        const NodeField<dim, SingleScalar> fraction =
           volume_fraction(particles.bodies, selection, particles.partition, particles.lattice);
         CHECK(particles.volume_on_nodes(fraction) ==
               Approx(parallel::sum(volume, MPI_COMM_WORLD)).epsilon(1e-12));
 
-        NodeField<dim> again(fraction);
+        NodeField<dim, SingleScalar> again(fraction);
         particles.partition.update_ghosts(again);
         double change = 0.;
         for_nodes_and_ghosts(particles.partition.blocks(), [&](const int slot, const int node) {
           change = std::max(change,
-                            std::abs(again.node(slot, node)[0] - fraction.node(slot, node)[0]));
+                            std::abs(again.get(SingleScalar::value, slot, node) -
+                                     fraction.get(SingleScalar::value, slot, node)));
         });
         CHECK(parallel::max(change, MPI_COMM_WORLD) == 0.);
       }
@@ -131,9 +132,9 @@ TEST_CASE("A field of material is found once and kept until particles move", "[s
   Particles<2> particles;
   MaterialFields<2> fields(particles.partition, particles.lattice, particles.bodies);
   const auto solid = select_body(particles.bodies, 0), fluid = select_body(particles.bodies, 1);
-  const NodeField<2> &first = fields.volume_fraction(solid);
-  const double volume       = particles.volume_on_nodes(first);
-  const double of_fluid     = particles.volume_on_nodes(fields.volume_fraction(fluid));
+  const NodeField<2, SingleScalar> &first = fields.volume_fraction(solid);
+  const double volume                     = particles.volume_on_nodes(first);
+  const double of_fluid = particles.volume_on_nodes(fields.volume_fraction(fluid));
 
   ParticleSet<2> &changed = particles.bodies[0].particles;
   for (std::size_t p = 0; p < changed.size(); ++p)

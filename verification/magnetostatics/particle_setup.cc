@@ -93,9 +93,8 @@ namespace magmpm::verification
   SolveReport
   ParticleSetup<dim>::solve(const ExternalField<dim> &sources)
   {
-    const SolveReport report  = problem.solve(magnetic_content(), sources);
-    const NodeField<dim> mass = node_mass();
-    node_force.reinit(partition.blocks().size());
+    const SolveReport report                = problem.solve(magnetic_content(), sources);
+    const NodeField<dim, SingleScalar> mass = node_mass();
     problem.compute_force(mass, node_force);
     hand_force_to_particles(mass);
     medium.clear();
@@ -112,39 +111,37 @@ namespace magmpm::verification
   }
 
   template <int dim>
-  NodeField<dim>
+  NodeField<dim, NodeContent>
   ParticleSetup<dim>::magnetic_content()
   {
-    NodeField<dim> content;
-    content.reinit(partition.blocks().size());
+    NodeField<dim, NodeContent> content(partition.blocks().size());
     magnetic_content_to_lattice(bodies, partition.blocks(), lattice, content);
-    partition.add_ghosts_to_owners(content);
+    partition.add_ghosts_to_owners(content, Parity());
     partition.update_ghosts(content);
     return content;
   }
 
   template <int dim>
-  NodeField<dim>
+  NodeField<dim, SingleScalar>
   ParticleSetup<dim>::node_mass()
   {
-    NodeField<dim> mass;
-    mass.reinit(partition.blocks().size());
-    particles_to_lattice(bodies, partition.blocks(), lattice, 0., mass);
-    partition.add_ghosts_to_owners(mass);
+    NodeField<dim, SingleScalar> mass(partition.blocks().size());
+    magnetic_mass_to_lattice(bodies, partition.blocks(), lattice, mass);
+    partition.add_ghosts_to_owners(mass, Parity());
     partition.update_ghosts(mass);
     return mass;
   }
 
   template <int dim>
   void
-  ParticleSetup<dim>::hand_force_to_particles(const NodeField<dim> &mass)
+  ParticleSetup<dim>::hand_force_to_particles(const NodeField<dim, SingleScalar> &mass)
   {
-    NodeField<dim> acceleration;
-    acceleration.reinit(partition.blocks().size());
+    NodeField<dim, SingleVector> acceleration(partition.blocks().size());
     for_nodes(partition.blocks(), [&](const int slot, const int n) {
-      if (mass.node(slot, n)[3] > 0.)
-        for (int d = 0; d < dim; ++d)
-          acceleration.node(slot, n)[d] = node_force.node(slot, n)[d] / mass.node(slot, n)[3];
+      const double m = mass.get(SingleScalar::value, slot, n);
+      if (m > 0.)
+        acceleration.set(
+          SingleVector::value, slot, n, (1. / m) * node_force.get(SingleVector::value, slot, n));
     });
     partition.update_ghosts(acceleration);
     interpolate_to_particles(
@@ -157,8 +154,7 @@ namespace magmpm::verification
   {
     Vector<dim> sum;
     for_nodes(partition.blocks(), [&](const int slot, const int n) {
-      for (int d = 0; d < dim; ++d)
-        sum[d] += node_force.node(slot, n)[d];
+      sum += node_force.get(SingleVector::value, slot, n);
     });
     return parallel::sum(sum, communicator);
   }
@@ -192,10 +188,8 @@ namespace magmpm::verification
     Matrix<dim> sum;
     for_nodes(partition.blocks(), [&](const int slot, const int n) {
       const Index<dim> node = node_of_block<dim>(partition.blocks().block(slot), n);
-      Vector<dim> f;
-      for (int d = 0; d < dim; ++d)
-        f[d] = node_force.node(slot, n)[d];
-      sum += outer(f, lattice.node_position(node) - centre);
+      sum += outer(node_force.get(SingleVector::value, slot, n),
+                   lattice.node_position(node) - centre);
     });
     return parallel::sum(sum, communicator);
   }

@@ -92,7 +92,7 @@ namespace magmpm::verification
     using MagneticSetup<dim>::problem;
 
     std::vector<Body<dim>> bodies;
-    NodeField<dim> node_force;
+    NodeField<dim, SingleVector> node_force;
     mutable std::vector<MaterialSample<dim>> medium; ///< empty: not asked for since the last solve
 
     void
@@ -101,16 +101,16 @@ namespace magmpm::verification
     void
     distribute_particles();
 
-    NodeField<dim>
+    NodeField<dim, NodeContent>
     magnetic_content();
 
     /** {momentum, mass}, ghosts updated. */
-    NodeField<dim>
+    NodeField<dim, SingleScalar>
     node_mass();
 
     /** Lets the particles carry the force, as accelerations. */
     void
-    hand_force_to_particles(const NodeField<dim> &mass);
+    hand_force_to_particles(const NodeField<dim, SingleScalar> &mass);
 
     /** f_a (x - centre)_b over particles p with f = m a. */
     template <typename Action>

@@ -89,19 +89,6 @@ namespace magmpm::verification
   }
 
   template <int dim>
-  double
-  SampledSetup<dim>::sum(const NodeField<dim> &field,
-                         const int lane,
-                         const std::function<double(const Vector<dim> &)> &weight) const
-  {
-    double result = 0.;
-    for_owned_nodes([&](const int slot, const int node, const Vector<dim> &position) {
-      result += weight(position) * field.node(slot, node)[lane];
-    });
-    return parallel::sum(result, MPI_COMM_WORLD);
-  }
-
-  template <int dim>
   void
   SampledSetup<dim>::SortedSamples::add(const Lattice<dim> &lattice, const Sample<dim> &sample)
   {
@@ -184,7 +171,7 @@ namespace magmpm::verification
     for (const Index<dim> &block : occupied)
       for (const Sample<dim> &sample : samples.of_block.at(block_key<dim>(block)))
         scatter(sample);
-    partition.add_ghosts_to_owners(content);
+    partition.add_ghosts_to_owners(content, Parity());
     partition.update_ghosts(content);
     partition.add_ghosts_to_owners(mass);
     partition.update_ghosts(mass);
@@ -199,12 +186,13 @@ namespace magmpm::verification
       const double weight = sample.volume * spline;
       const int slot      = blocks.slot(block_of<dim>(node));
       const int number    = number_in_block<dim>(node);
-      double *lanes       = content.node(slot, number);
-      lanes[0] += weight;
-      lanes[1] += weight * sample.material.saturation_magnetization;
-      lanes[2] += weight * sample.material.initial_susceptibility;
-      lanes[3] += weight;
-      mass.node(slot, number)[n_lanes - 1] += weight * std::pow(lattice.spacing, dim);
+      content.add(NodeContent::volume, slot, number, weight);
+      content.add(
+        NodeContent::saturation, slot, number, weight * sample.material.saturation_magnetization);
+      content.add(
+        NodeContent::susceptibility, slot, number, weight * sample.material.initial_susceptibility);
+      content.add(NodeContent::grains, slot, number, weight);
+      mass.add(SingleScalar::value, slot, number, weight * std::pow(lattice.spacing, dim));
     });
   }
 
@@ -213,11 +201,10 @@ namespace magmpm::verification
   force_on_nodes(const SampledSetup<dim> &setup, const Vector<dim> &centre)
   {
     Force<dim> result;
-    NodeField<dim> force;
+    NodeField<dim, SingleVector> force;
     result.dropped = setup.problem.compute_force(setup.mass, force);
     setup.for_owned_nodes([&](const int slot, const int node, const Vector<dim> &x) {
-      Vector<dim> f;
-      std::copy_n(force.node(slot, node), dim, f.values);
+      const Vector<dim> f = force.get(SingleVector::value, slot, node);
       result.total += f;
       result.torque += cross(x - centre, f);
       result.absolute += norm(f);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <magmpm/lattice/node_window.h>
+#include <magmpm/parallel/reduce.h>
 
 #include <verification/magnetostatics/magnetic_setup.h>
 
@@ -71,17 +72,24 @@ namespace magmpm::verification
     void
     set_particles(const std::vector<Sample<dim>> &particles);
 
-    NodeField<dim> content; ///< {v, density of M_s, density of chi_0, 1}
-    NodeField<dim> mass;    ///< lane 3: v dx^dim, as of density 1
+    NodeField<dim, NodeContent> content; ///< grains are 1 in the material
+    NodeField<dim, SingleScalar> mass;   ///< v dx^dim, as of density 1
 
-    /** Sum over the nodes of all ranks of weight(position) times a lane of @p field. */
-    double
+    /** Sum over the nodes of all ranks of weight(position) times the scalar or vector of @p field. */
+    template <typename Single>
+    auto
     sum(
-      const NodeField<dim> &field,
-      const int lane,
+      const NodeField<dim, Single> &field,
       const std::function<double(const Vector<dim> &)> &weight = [](const auto &) {
         return 1.;
-      }) const;
+      }) const
+    {
+      decltype(field.get(Single::value, 0, 0)) result = {};
+      for_owned_nodes([&](const int slot, const int node, const Vector<dim> &position) {
+        result += weight(position) * field.get(Single::value, slot, node);
+      });
+      return parallel::sum(result, MPI_COMM_WORLD);
+    }
 
     /** action(slot, node, position) of the nodes of this rank. */
     template <typename Action>

@@ -148,7 +148,7 @@ namespace magmpm::verification
   void
   for_each_node(const BlockSet<dim> &blocks,
                 const Lattice<dim> &lattice,
-                const NodeField<dim> &field,
+                const NodeNumbers<dim> &field,
                 const Function &f)
   {
     for (int slot = 0; slot < blocks.size(); ++slot)

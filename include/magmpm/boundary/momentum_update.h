@@ -13,7 +13,7 @@ namespace magmpm
    * below rounding.
    *
    * @param damping_rate  dv/dt = -rate v [1/s].
-   * @param field         {momentum [kg m/s], mass [kg]}, becomes {velocity [m/s], mass [kg]}.
+   * @param field         its momentum becomes velocity.
    */
   template <int dim>
   void

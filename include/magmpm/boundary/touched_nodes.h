@@ -16,7 +16,7 @@ namespace magmpm
   class TouchedNodes
   {
   public:
-    /** @param field  {velocity [m/s], mass [kg]}; nodes with no more than @p negligible_mass do not count. */
+    /** Nodes with no more than @p negligible_mass [kg] do not count. */
     TouchedNodes(const std::vector<RigidBody<dim>> &bodies,
                  const BlockSet<dim> &blocks,
                  const Lattice<dim> &lattice,
@@ -56,8 +56,7 @@ namespace magmpm
     add_if_touched(const std::vector<RigidBody<dim>> &bodies,
                    const std::vector<int> &near,
                    const Vector<dim> &position,
-                   Node node,
-                   const double *velocity);
+                   Node node);
 
     std::vector<Node> nodes;
   };

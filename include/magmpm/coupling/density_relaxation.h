@@ -34,20 +34,35 @@ namespace magmpm
   bool
   has_fluid(const std::vector<Body<dim>> &bodies);
 
+  /** What the nodes know of fluids; all zero beyond walls. */
+  struct NodeFluid
+  {
+    static constexpr NodeScalar<NodeFluid> fraction     = {0}; ///< v_i
+    static constexpr NodeScalar<NodeFluid> inside       = {1}; ///< 1 inside of walls
+    static constexpr NodeScalar<NodeFluid> near_surface = {2}; ///< 1 where v_i is below 0.9
+
+    template <typename Function>
+    static constexpr void
+    for_each(Function &&f)
+    {
+      f(fraction);
+      f(inside);
+      f(near_surface);
+    }
+  };
+
   /** The material whose volume_fraction() is v_i, but for the share inside of the walls. */
   template <int dim>
   MaterialSelection
   undeformed_fluids(const std::vector<Body<dim>> &bodies);
 
-  /**
-   * Makes of their volume_fraction() {v_i, 1, 1 where v_i is below 0.9}; all zero beyond walls.
-   */
+  /** Makes it of their volume_fraction(), on all nodes that this has. */
   template <int dim>
-  void
-  complete_fluid_fraction(const BlockSet<dim> &blocks,
-                          const Lattice<dim> &lattice,
-                          const OpenFaces<dim> &open,
-                          NodeField<dim> &field);
+  NodeField<dim, NodeFluid>
+  fluid_on_nodes(const BlockSet<dim> &blocks,
+                 const Lattice<dim> &lattice,
+                 const OpenFaces<dim> &open,
+                 const NodeField<dim, SingleScalar> &volume_fraction);
 
   /** |J - J_lattice| over particles of fluids that are not next to a free surface. */
   struct DensityError
@@ -59,13 +74,13 @@ namespace magmpm
   /**
    * Relaxes J of all fluids.
    *
-   * @param field  completed, ghosts up to date.
+   * @param field  ghosts up to date.
    * @param time   since the last relaxation [s].
    * @return what it found, of this rank's particles.
    */
   template <int dim>
   DensityError
-  relax_volume_ratios(const NodeField<dim> &field,
+  relax_volume_ratios(const NodeField<dim, NodeFluid> &field,
                       const BlockSet<dim> &blocks,
                       const Lattice<dim> &lattice,
                       const double time,

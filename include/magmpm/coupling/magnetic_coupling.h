@@ -4,10 +4,10 @@
 #include <magmpm/coupling/clock.h>
 #include <magmpm/coupling/coupling.h>
 #include <magmpm/coupling/solve_trigger_parameters.h>
-#include <magmpm/magnetics/solve_report.h>
 #include <magmpm/lattice/lattice.h>
 #include <magmpm/lattice/node_field.h>
 #include <magmpm/magnetics/magnetics_parameters.h>
+#include <magmpm/magnetics/solve_report.h>
 #include <magmpm/magnets/external_field.h>
 #include <magmpm/mesh/background_mesh.h>
 #include <magmpm/mesh/block_partition.h>
@@ -198,16 +198,16 @@ namespace magmpm
     solve_potential(std::vector<Body<dim>> &bodies);
 
     /** The densities of grains on the nodes, summed over the ranks, ghosts up to date. */
-    NodeField<dim>
+    NodeField<dim, NodeContent>
     magnetic_content(std::vector<Body<dim>> &bodies) const;
 
     /** Accelerations of the nodes [m/s^2] by the magnetic force. */
-    NodeField<dim>
+    NodeField<dim, SingleVector>
     nodal_accelerations(std::vector<Body<dim>> &bodies);
 
     /** Gives particles the accelerations of the nodes [m/s^2], and their rate of change. */
     void
-    carry_force(const NodeField<dim> &accelerations, std::vector<Body<dim>> &bodies);
+    carry_force(const NodeField<dim, SingleVector> &accelerations, std::vector<Body<dim>> &bodies);
 
     /** What the material does to the sources. @param way  since they were found last, or 0 [m]. */
     void

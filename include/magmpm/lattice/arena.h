@@ -1,6 +1,7 @@
 #pragma once
 
 #include <magmpm/lattice/node_field.h>
+#include <magmpm/lattice/node_window.h>
 
 #include <algorithm>
 #include <cstring>
@@ -55,58 +56,78 @@ namespace magmpm
       return values;
     }
 
-    /** Adds the arena of the block in @p slot to a field; all blocks around it must be active. */
+    /**
+     * Adds the arena of the block in @p slot to a field of up to four lanes; all blocks around it must
+     * be active.
+     */
+    template <typename Quantities>
     void
-    add_to(NodeField<dim> &field, const BlockSet<dim> &blocks, const int slot) const
+    add_to(NodeField<dim, Quantities> &field, const BlockSet<dim> &blocks, const int slot) const
     {
+      constexpr int width = NodeField<dim, Quantities>::width;
+      static_assert(width <= n_lanes, "there is room for four lanes");
       for_each_segment(blocks.neighbours(slot),
-                       [&](const int from, const int in, const int offset, const auto length) {
-                         double *target       = field.block(in) + offset;
-                         const double *source = values + from;
-                         for (int i = 0; i < length; ++i)
-                           target[i] += source[i];
+                       [&](const int from, const int in, const int node, const auto n_nodes) {
+                         double *target       = field.block(in) + node * width;
+                         const double *source = values + from * n_lanes;
+                         if constexpr (width == n_lanes)
+                           for (int i = 0; i < n_nodes * n_lanes; ++i)
+                             target[i] += source[i];
+                         else
+                           for (int i = 0; i < n_nodes; ++i)
+                             for (int lane = 0; lane < width; ++lane)
+                               target[i * width + lane] += source[i * n_lanes + lane];
                        });
     }
 
-    /** Fills the arena of the block in @p slot from a field. */
+    /** Fills the arena of the block in @p slot from such a field; lanes that it has not become zero. */
+    template <typename Quantities>
     void
-    load(const NodeField<dim> &field, const BlockSet<dim> &blocks, const int slot)
+    load(const NodeField<dim, Quantities> &field, const BlockSet<dim> &blocks, const int slot)
     {
+      constexpr int width = NodeField<dim, Quantities>::width;
+      static_assert(width <= n_lanes, "there is room for four lanes");
+      if constexpr (width < n_lanes)
+        set_zero();
       for_each_segment(blocks.neighbours(slot),
-                       [&](const int to, const int in, const int offset, const auto length) {
-                         std::memcpy(
-                           values + to, field.block(in) + offset, length * sizeof(double));
+                       [&](const int to, const int in, const int node, const auto n_nodes) {
+                         double *target       = values + to * n_lanes;
+                         const double *source = field.block(in) + node * width;
+                         if constexpr (width == n_lanes)
+                           std::memcpy(target, source, n_nodes * n_lanes * sizeof(double));
+                         else
+                           for (int i = 0; i < n_nodes; ++i)
+                             std::copy_n(source + i * width, width, target + i * n_lanes);
                        });
     }
 
   private:
     template <int n>
-    using Doubles = std::integral_constant<int, n>;
+    using Nodes = std::integral_constant<int, n>;
 
     /**
-     * Calls f(place in the arena, slot, place in its block, length) for all pieces of rows of nodes,
-     * in doubles. A row of 8 nodes along x lies in three blocks: 1, 4 and 3 nodes of them. Lengths are
+     * Calls f(node of the arena, slot, node in its block, number of nodes) for all pieces of rows of
+     * nodes. A row of 8 nodes along x lies in three blocks: 1, 4 and 3 nodes of them. Their numbers are
      * constants of the compiler.
      */
     template <typename Function>
     static void
     for_each_segment(const std::array<int, n_neighbours<dim>> &neighbours, const Function &f)
     {
+      using Window         = NodeWindow<dim, 1, edge - block_edge - 1>;
       constexpr int n_rows = power(edge, dim - 1);
       for (int row = 0; row < n_rows; ++row)
         {
-          int neighbour = 0, node = 0;
-          for (int d = 1, rest = row; d < dim; ++d, rest /= edge)
-            {
-              const int position = rest % edge + block_edge - 1; // from the block below
-              neighbour += power(3, d) * (position / block_edge);
-              node += power(block_edge, d) * (position % block_edge);
-            }
-          const int first = row * edge * n_lanes;
-          node *= n_lanes;
-          f(first, neighbours[neighbour], node + 3 * n_lanes, Doubles<n_lanes>());
-          f(first + n_lanes, neighbours[neighbour + 1], node, Doubles<4 * n_lanes>());
-          f(first + 5 * n_lanes, neighbours[neighbour + 2], node, Doubles<3 * n_lanes>());
+          const int first        = row * edge;
+          const NodePlace &below = Window::place(first);
+          const NodePlace &own   = Window::place(first + 1);
+          const NodePlace &above = Window::place(first + 1 + block_edge);
+          f(first, neighbours[below.neighbour], below.node, Nodes<1>());
+          f(first + 1, neighbours[own.neighbour], own.node, Nodes<block_edge>());
+          f(first + 1 + block_edge,
+            neighbours[above.neighbour],
+            above.node,
+            Nodes<edge - block_edge - 1>());
         }
     }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <magmpm/lattice/node_field.h>
+#include <magmpm/lattice/node_window.h>
 
 #include <array>
 
@@ -16,13 +17,39 @@ namespace magmpm
   template <int dim>
   inline constexpr int n_stencil_nodes = power(stencil_edge, dim);
 
-  /** Four lanes on the nodes of the stencil, x fastest. */
-  template <int dim>
-  using StencilValues = std::array<double, n_stencil_nodes<dim> * n_lanes>;
+  /** Four lanes on each of @p n places, named as those of a field. */
+  template <int n>
+  struct LaneArray : public std::array<double, n * n_lanes>
+  {
+    template <typename Quantities>
+    double
+    get(const NodeScalar<Quantities> quantity, const int i) const
+    {
+      return (*this)[i * n_lanes + quantity.lane];
+    }
 
-  /** Four lanes on the quadrature points of a cell, x fastest. */
+    template <typename Quantities>
+    void
+    set(const NodeScalar<Quantities> quantity, const int i, const double value)
+    {
+      (*this)[i * n_lanes + quantity.lane] = value;
+    }
+
+    template <int dim, typename Quantities>
+    void
+    set(const NodeVector<Quantities> quantity, const int i, const Vector<dim> &vector)
+    {
+      std::copy_n(vector.values, dim, this->data() + i * n_lanes + quantity.lane);
+    }
+  };
+
+  /** On the nodes of the stencil, x fastest. */
   template <int dim>
-  using PointValues = std::array<double, n_points<dim> * n_lanes>;
+  using StencilValues = LaneArray<n_stencil_nodes<dim>>;
+
+  /** On the quadrature points of a cell, x fastest. */
+  template <int dim>
+  using PointValues = LaneArray<n_points<dim>>;
 
   /**
    * Quadratic B-splines of spacing dx, evaluated at the points of QGauss(3) in a mesh cell of edge
@@ -41,25 +68,26 @@ namespace magmpm
     static const std::array<double, n_points_1d> weights_1d;
 
     /**
-     * Reads the nodes around a cell; nodes of blocks that are not active count as zero.
+     * Reads up to four lanes of the nodes around a cell. Nodes of blocks that are not active count as
+     * zero, as lanes do that the field has not.
      *
      * @param slot    of the cell's block.
      * @param corner  the cell's lower node within the block: 0 .. 3 per axis.
      */
     void
-    gather(const NodeField<dim> &field,
+    gather(const NodeNumbers<dim> &field,
            const BlockSet<dim> &blocks,
            const int slot,
            const Index<dim> &corner,
            StencilValues<dim> &values) const;
 
-    /** Adds to the nodes around a cell, apart from those of blocks that are not active. */
+    /** Adds the lanes of the field to the nodes around a cell, apart from those that are not active. */
     void
     scatter_add(const StencilValues<dim> &values,
                 const BlockSet<dim> &blocks,
                 const int slot,
                 const Index<dim> &corner,
-                NodeField<dim> &field) const;
+                NodeNumbers<dim> &field) const;
 
     /** Sum_i N_i(x_q) values_i at every quadrature point. */
     void
@@ -82,19 +110,15 @@ namespace magmpm
                              StencilValues<dim> &result) const;
 
   private:
-    /** Where a node of the stencil lies, seen from the block of the cell. */
-    struct Place
-    {
-      int neighbour; ///< of the block, see BlockSet::neighbours()
-      int node;      ///< in that block
-    };
-
-    using Places = std::array<Place, n_stencil_nodes<dim>>;
-    std::array<Places, nodes_per_block<dim>> places; ///< by lower node of the cell in its block
     double value_matrix[n_points_1d][stencil_edge];
     double derivative_matrix[n_points_1d][stencil_edge];
 
-    static int
-    number_in_block(const Index<dim> &corner);
+    /** Calls f(place in the stencil, slot or invalid_slot, node in its block). */
+    template <typename Function>
+    static void
+    for_each_node(const BlockSet<dim> &blocks,
+                  const int slot,
+                  const Index<dim> &corner,
+                  const Function &f);
   };
 } // namespace magmpm

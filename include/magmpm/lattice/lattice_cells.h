@@ -83,7 +83,7 @@ namespace magmpm
 
     /** Reads the nodes around a cell; nodes of blocks that are not active count as zero. */
     void
-    gather(const NodeField<dim> &field, const unsigned int cell, StencilValues<dim> &values) const
+    gather(const NodeNumbers<dim> &field, const unsigned int cell, StencilValues<dim> &values) const
     {
       the_stencil.gather(field, *the_blocks, cells[cell].slot, cells[cell].corner, values);
     }
@@ -92,7 +92,7 @@ namespace magmpm
     void
     scatter_add(const StencilValues<dim> &values,
                 const unsigned int cell,
-                NodeField<dim> &field) const
+                NodeNumbers<dim> &field) const
     {
       the_stencil.scatter_add(values, *the_blocks, cells[cell].slot, cells[cell].corner, field);
     }

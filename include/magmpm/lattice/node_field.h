@@ -1,6 +1,7 @@
 #pragma once
 
 #include <magmpm/lattice/block_set.h>
+#include <magmpm/lattice/node_quantity.h>
 
 #include <algorithm>
 #include <vector>
@@ -8,21 +9,24 @@
 namespace magmpm
 {
   /**
-   * Four numbers on every node of the active blocks: by slot, then by node (x fastest), then by
-   * lane. What the lanes mean is said where a field is declared; momentum and mass, for example, are
-   * {p_x, p_y, p_z, m} (p_z unused in 2D).
+   * Numbers on every node of the active blocks: by slot, then by node (x fastest), then by lane. What
+   * they are is known to NodeField; this much is enough to exchange, mirror and filter them.
    */
   template <int dim>
-  class NodeField
+  class NodeNumbers
   {
   public:
-    static constexpr int block_size = nodes_per_block<dim> * n_lanes;
+    const NodeLayout &
+    layout() const
+    {
+      return the_layout;
+    }
 
     /** Makes room for @p n_blocks blocks and sets all values to zero. */
     void
     reinit(const int n_blocks)
     {
-      values.assign(static_cast<std::size_t>(n_blocks) * block_size, 0.);
+      values.assign(static_cast<std::size_t>(n_blocks) * numbers_per_block(), 0.);
     }
 
     void
@@ -34,37 +38,138 @@ namespace magmpm
     int
     n_blocks() const
     {
-      return static_cast<int>(values.size() / block_size);
+      return static_cast<int>(values.size() / numbers_per_block());
     }
 
-    /** The first value of the block in @p slot. */
+    int
+    numbers_per_block() const
+    {
+      return nodes_per_block<dim> * the_layout.n_lanes;
+    }
+
+    /** The first number of the block in @p slot. */
     double *
     block(const int slot)
     {
-      return values.data() + static_cast<std::size_t>(slot) * block_size;
+      return values.data() + static_cast<std::size_t>(slot) * numbers_per_block();
     }
 
     const double *
     block(const int slot) const
     {
-      return values.data() + static_cast<std::size_t>(slot) * block_size;
+      return values.data() + static_cast<std::size_t>(slot) * numbers_per_block();
     }
 
-    /** The four lanes of node @p node (0 .. 4^dim - 1, x fastest) in @p slot. */
+    /** The lanes of node @p node (0 .. 4^dim - 1, x fastest) in @p slot. */
     double *
     node(const int slot, const int node)
     {
-      return block(slot) + node * n_lanes;
+      return block(slot) + node * the_layout.n_lanes;
     }
 
     const double *
     node(const int slot, const int node) const
     {
-      return block(slot) + node * n_lanes;
+      return block(slot) + node * the_layout.n_lanes;
     }
 
-  private:
+  protected:
+    explicit NodeNumbers(const NodeLayout &layout)
+      : the_layout(layout)
+    {
+    }
+
     std::vector<double> values;
+
+  private:
+    NodeLayout the_layout;
+  };
+
+  /**
+   * The quantities of a list on every node of the active blocks, read and written by their names:
+   * `field.get(NodeMotion::mass, slot, node)`.
+   *
+   * @tparam Quantities  NodeMotion is what nodes carry in every step.
+   */
+  template <int dim, typename Quantities = NodeMotion>
+  class NodeField : public NodeNumbers<dim>
+  {
+  public:
+    /** Numbers on a node, and in a block. */
+    static constexpr int width      = node_layout<dim, Quantities>.n_lanes;
+    static constexpr int block_size = nodes_per_block<dim> * width;
+
+    NodeField()
+      : NodeNumbers<dim>(node_layout<dim, Quantities>)
+    {
+    }
+
+    explicit NodeField(const int n_blocks)
+      : NodeField()
+    {
+      this->reinit(n_blocks);
+    }
+
+    /** As of NodeNumbers, with strides that the compiler knows. */
+    double *
+    block(const int slot)
+    {
+      return this->values.data() + static_cast<std::size_t>(slot) * block_size;
+    }
+
+    const double *
+    block(const int slot) const
+    {
+      return this->values.data() + static_cast<std::size_t>(slot) * block_size;
+    }
+
+    double *
+    node(const int slot, const int node)
+    {
+      return block(slot) + node * width;
+    }
+
+    const double *
+    node(const int slot, const int node) const
+    {
+      return block(slot) + node * width;
+    }
+
+    double
+    get(const NodeScalar<Quantities> quantity, const int slot, const int node) const
+    {
+      return this->node(slot, node)[quantity.lane];
+    }
+
+    Vector<dim>
+    get(const NodeVector<Quantities> quantity, const int slot, const int node) const
+    {
+      Vector<dim> vector;
+      std::copy_n(this->node(slot, node) + quantity.lane, dim, vector.values);
+      return vector;
+    }
+
+    void
+    set(const NodeScalar<Quantities> quantity, const int slot, const int node, const double value)
+    {
+      this->node(slot, node)[quantity.lane] = value;
+    }
+
+    void
+    set(const NodeVector<Quantities> quantity,
+        const int slot,
+        const int node,
+        const Vector<dim> &vector)
+    {
+      std::copy_n(vector.values, dim, this->node(slot, node) + quantity.lane);
+    }
+
+    template <typename Quantity, typename Value>
+    void
+    add(const Quantity quantity, const int slot, const int node, const Value &value)
+    {
+      set(quantity, slot, node, get(quantity, slot, node) + value);
+    }
   };
 
   /** The node number @p number of @p block as an integer vector of the lattice. */

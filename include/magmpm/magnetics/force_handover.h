@@ -9,13 +9,13 @@ namespace magmpm
    * equal parts to the neighbours (3^dim) in the next inner layer. Conserves the sum over these nodes
    * exactly, on any number of ranks.
    *
-   * @param mass   lane 3 is the mass, ghosts updated.
-   * @param force  lanes f_x f_y f_z [N] on owned nodes, ghosts zero; afterwards zero where no mass is.
+   * @param mass   [kg], ghosts updated.
+   * @param force  [N] on owned nodes, ghosts zero; afterwards zero where no mass is.
    * @return this rank's part of the force on nodes further out, which is dropped [N]. Collective.
    */
   template <int dim>
   Vector<dim>
   hand_force_inward(const BlockPartition<dim> &partition,
-                    const NodeField<dim> &mass,
-                    NodeField<dim> &force);
+                    const NodeField<dim, SingleScalar> &mass,
+                    NodeField<dim, SingleVector> &force);
 } // namespace magmpm

@@ -18,26 +18,26 @@ namespace magmpm
    * both is taken. The integral is over the cells of active blocks, with the quadrature
    * points of the solve; nodes whose B-spline reaches beyond active blocks are left at zero.
    *
-   * @param force  lanes f_x f_y f_z [N] on owned nodes, summed over the ranks; ghosts zero. Collective.
+   * @param force  [N] on owned nodes, summed over the ranks; ghosts zero. Collective.
    */
   template <int dim>
   void
   compute_split_force(const EllipticProblem<dim> &potential,
                       const MaterialPoints<dim> &material,
                       const BlockPartition<dim> &partition,
-                      NodeField<dim> &force);
+                      NodeField<dim, SingleVector> &force);
 
   /**
    * H in the material phase, averaged to nodes: int f N_i H / int f N_i, zero without material.
    *
-   * @param field  lanes H_x H_y H_z [A/m], ghosts updated. Collective.
+   * @param field  H [A/m], ghosts updated. Collective.
    */
   template <int dim>
   void
   compute_material_field(const EllipticProblem<dim> &potential,
                          const MaterialPoints<dim> &material,
                          const BlockPartition<dim> &partition,
-                         NodeField<dim> &field);
+                         NodeField<dim, SingleVector> &field);
 
   /** The medium of this rank at the quadrature points with material. */
   template <int dim>

@@ -40,13 +40,12 @@ namespace magmpm
      * Collective.
      *
      * @param lattice_cells  lower nodes of this rank's mesh cells of the finest edge.
-     * @param content        on the nodes of the active blocks, ghosts updated: lanes {volume fraction
-     *                       [-], density of saturation magnetization [A/m], of susceptibility [-], of
-     *                       grains [1/m^3]}.
+     * @param content        on the nodes of the active blocks, with the images behind shielded walls,
+     *                       ghosts updated.
      */
     void
     reinit(const std::vector<Index<dim>> &lattice_cells,
-           const NodeField<dim> &content,
+           const NodeField<dim, NodeContent> &content,
            const ExternalField<dim> &sources);
 
     bool
@@ -203,7 +202,6 @@ namespace magmpm
     const Lattice<dim> lattice;
     const MagnetizationModel law;
     const bool is_sharp;
-    const std::array<bool, 2 * dim> shielded;
 
     LatticeCells<dim> the_cells;
     SharpIndicator<dim> the_indicator;
@@ -214,12 +212,12 @@ namespace magmpm
 
     /** Gives points to cells with content, for the smeared indicator. */
     void
-    find_smeared_cells(const NodeField<dim> &content);
+    find_smeared_cells(const NodeField<dim, NodeContent> &content);
 
     /** Completes the points of a cell. */
     void
     set_medium(const unsigned int cell,
-               const NodeField<dim> &content,
+               const NodeField<dim, NodeContent> &content,
                const ExternalField<dim> &sources);
 
     /** Adds a cell to magnetized_weight(). */

@@ -38,13 +38,12 @@ namespace magmpm
      * continued, and from zero after a change of the mesh, for which it sets everything up anew.
      * Collective.
      *
-     * @param content  on the nodes of the active blocks, ghosts updated: lanes {volume fraction v [-],
-     *                 density of saturation magnetization [A/m], of initial susceptibility [-], of
-     *                 grains [1/m^3]}: the sum over particles of N_i V_0 {J, M_s, chi_0, n} over dx^dim.
+     * @param content  on the nodes of the active blocks, with the images behind shielded walls, ghosts
+     *                 updated.
      * @throw RunError if Newton's method or CG does not converge, with the residuals.
      */
     SolveReport
-    solve(const NodeField<dim> &content, const ExternalField<dim> &sources);
+    solve(const NodeField<dim, NodeContent> &content, const ExternalField<dim> &sources);
 
     /**
      * The magnetic force on the material at the last solve:
@@ -53,23 +52,23 @@ namespace magmpm
      * particles. Force that falls on the two layers of nodes around those with mass is handed inward,
      * so that the total is that on the material. The partition must be that of the last solve. Collective.
      *
-     * @param mass   lane 3 is the mass of the nodes, with the images that material has behind shielded
-     *               walls (add_mirror_images()), ghosts updated.
-     * @param force  lanes f_x f_y f_z [N] on nodes with mass, likewise with images, ghosts updated;
-     *               zero elsewhere.
+     * @param mass   of the nodes [kg], with the images that material has behind shielded walls, ghosts
+     *               updated.
+     * @param force  [N] on owned nodes with mass, likewise with images; zero elsewhere.
      * @return the force further out, which is left away [N], of all ranks.
      */
     Vector<dim>
-    compute_force(const NodeField<dim> &mass, NodeField<dim> &force) const;
+    compute_force(const NodeField<dim, SingleScalar> &mass,
+                  NodeField<dim, SingleVector> &force) const;
 
     /**
      * The field in the material at the last solve, as its mean around each node:
      * int f N_i H / int f N_i. The partition must be that of the last solve. Collective.
      *
-     * @param field  lanes H_x H_y H_z [A/m], ghosts updated; zero where no material is.
+     * @param field  H [A/m], ghosts updated; zero where no material is.
      */
     void
-    compute_field(NodeField<dim> &field) const;
+    compute_field(NodeField<dim, SingleVector> &field) const;
 
     /** The medium of this rank at the last solve; valid until the next one. */
     const MaterialPoints<dim> &

@@ -1,46 +1,59 @@
 #pragma once
 
-#include <magmpm/mesh/block_partition.h>
+#include <magmpm/lattice/node_field.h>
 
 #include <array>
 
 namespace magmpm
 {
+  /** How the image of a quantity behind a wall follows from what stands in front of it. */
+  struct Parity
+  {
+    enum Sign
+    {
+      even,      ///< the same
+      odd,       ///< turned around, and zero on the wall
+      odd_normal ///< of a vector, the component along the wall's normal is odd, the others are even
+    };
+
+    /** Those of a mirror; a wall at which material sticks makes velocities odd, masses even. */
+    Sign scalars = even;
+    Sign vectors = odd_normal;
+  };
+
+  /** Walls of the mechanical box that are mirrors: -x, +x, -y, ... */
+  template <int dim>
+  struct MirrorWalls
+  {
+    std::array<bool, 2 *dim> is_mirror = {};
+    Index<dim> n_cells                 = {}; ///< of the mechanical box
+  };
+
   /**
-   * Adds the images of material behind shielded walls to a node field that P2G made of the material in
-   * front: c_i <- c_i + c_(-i), i counted from the wall. Without them a body that touches such a wall
-   * would fade out before it, with magnetic poles there. Particles reach one node behind a wall, so
-   * nodes -1, 0, 1 change; nodes -2 and -3 become copies of 2 and 3. All four lanes; ghosts up to date
-   * before and after. Collective.
+   * Adds the images of material behind walls to a node field that P2G, or quadrature, made of the
+   * material in front: c_i <- c_i + R c_(-i), i counted from the wall. Without them a body that touches
+   * such a wall would fade out before it, with magnetic poles there. Particles reach one node behind a
+   * wall, so nodes -1, 0, 1 change; nodes -2 and -3 become images of 2 and 3. On owned nodes: blocks
+   * behind a wall have the owner of the one in front of it.
    *
-   * @param shielded  walls -x, +x, -y, ... of the mechanical box, at which the potential box ends.
+   * BlockPartition::add_ghosts_to_owners() does it on its way.
    */
   template <int dim>
   void
-  add_mirror_images(const BlockPartition<dim> &partition,
-                    const Lattice<dim> &lattice,
-                    const std::array<bool, 2 * dim> &shielded,
-                    NodeField<dim> &content);
-
-  /** Copies nodes 1, 2, 3 in front of shielded walls to -1, -2, -3; else as add_mirror_images(). */
-  template <int dim>
-  void
-  copy_mirror_images(const BlockPartition<dim> &partition,
-                     const Lattice<dim> &lattice,
-                     const std::array<bool, 2 * dim> &shielded,
-                     NodeField<dim> &field);
+  add_images(const BlockSet<dim> &blocks,
+             const MirrorWalls<dim> &walls,
+             const Parity &parity,
+             NodeNumbers<dim> &field);
 
   /**
-   * The same for the first dim lanes as a vector, of which a mirror turns the component along its normal
-   * around: f_i <- f_i + R f_(-i). That component is zero on the wall. Forces that were integrated over
-   * the near side of the wall become those of material on both sides.
+   * Makes nodes -1, -2, -3 images of 1, 2, 3; what is odd becomes zero on the wall. On owned nodes.
    *
-   * @param field  ghosts zero, before and after.
+   * BlockPartition::update_ghosts() does it on its way.
    */
   template <int dim>
   void
-  add_mirror_images_of_vector(const BlockPartition<dim> &partition,
-                              const Lattice<dim> &lattice,
-                              const std::array<bool, 2 * dim> &shielded,
-                              NodeField<dim> &field);
+  copy_images(const BlockSet<dim> &blocks,
+              const MirrorWalls<dim> &walls,
+              const Parity &parity,
+              NodeNumbers<dim> &field);
 } // namespace magmpm

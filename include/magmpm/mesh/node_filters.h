@@ -6,8 +6,8 @@ namespace magmpm
 {
   /**
    * Filters over the 3^dim nodes around each node, for the material indicator. All of them act on all
-   * lanes, take ghosts that are up to date and leave them so, and are collective. Nodes of blocks that
-   * are not active count as zero.
+   * lanes, as on scalars, take ghosts that are up to date and leave them so, with the images behind
+   * shielded walls, and are collective. Nodes of blocks that are not active count as zero.
    */
 
   /**
@@ -16,12 +16,12 @@ namespace magmpm
    */
   template <int dim>
   void
-  remove_smear(const BlockPartition<dim> &partition, NodeField<dim> &field);
+  remove_smear(const BlockPartition<dim> &partition, NodeNumbers<dim> &field);
 
   /** The largest value of the 3^dim nodes around. */
   template <int dim>
   void
-  maximize(const BlockPartition<dim> &partition, NodeField<dim> &field);
+  maximize(const BlockPartition<dim> &partition, NodeNumbers<dim> &field);
 
   /**
    * (1/4, 1/2, 1/4) along each axis. Where a node around is not active its share stays, so that the
@@ -29,5 +29,5 @@ namespace magmpm
    */
   template <int dim>
   void
-  smooth(const BlockPartition<dim> &partition, NodeField<dim> &field);
+  smooth(const BlockPartition<dim> &partition, NodeNumbers<dim> &field);
 } // namespace magmpm

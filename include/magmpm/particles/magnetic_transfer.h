@@ -9,30 +9,28 @@
 namespace magmpm
 {
   /**
-   * Density of magnetic content, P2G of the grains of each particle, Eq. (27):
-   * {volume J V_0 over dx^dim [-], saturation magnetization [A/m], initial susceptibility [-],
-   *  number density [1/m^3]}, the last three those of the undeformed material times V_0/dx^dim.
-   * Grains move with the material, so their number per particle never changes.
+   * Density of magnetic content, P2G of the grains of each particle, Eq. (27): volume J V_0 over dx^dim,
+   * and saturation, susceptibility and grains of the undeformed material times V_0/dx^dim. Grains move with the material, so their number per particle never changes.
    */
   template <int dim>
   void
   magnetic_content_to_lattice(std::vector<Body<dim>> &bodies,
                               const BlockSet<dim> &blocks,
                               const Lattice<dim> &lattice,
-                              NodeField<dim> &content);
+                              NodeField<dim, NodeContent> &content);
 
-  /** The mass of magnetic particles alone, in lane 3 [kg]: what magnetic force acts on. */
+  /** The mass of magnetic particles alone [kg]: what magnetic force acts on. */
   template <int dim>
   void
   magnetic_mass_to_lattice(std::vector<Body<dim>> &bodies,
                            const BlockSet<dim> &blocks,
                            const Lattice<dim> &lattice,
-                           NodeField<dim> &mass);
+                           NodeField<dim, SingleScalar> &mass);
 
-  /** What a quantity of the nodes becomes on magnetic particles. */
+  /** What a vector on the nodes becomes on magnetic particles. */
   template <int dim>
   void
-  interpolate_to_particles(const NodeField<dim> &field,
+  interpolate_to_particles(const NodeField<dim, SingleVector> &field,
                            const BlockSet<dim> &blocks,
                            const Lattice<dim> &lattice,
                            const ParticleProperty quantity,

@@ -37,8 +37,7 @@ namespace magmpm
    * of APIC, the impulse of the stress and of the carried magnetic force over a step,
    *   (m v)_i += N_ip [ m (v + dt a) + (m C - dt 4/dx^2 V_0 tau) (x_i - x_p) ].
    *
-   * @param field  {momentum [kg m/s], mass [kg]}; on return the sums over this rank's particles,
-   *               also on ghosts.
+   * @param field  on return the sums over this rank's particles, also on ghosts.
    */
   template <int dim>
   void
@@ -52,7 +51,7 @@ namespace magmpm
    * G2P and advection, Eqs. (35-37): velocity and affine velocity from the nodes, then deformation
    * and position over a step.
    *
-   * @param field  {velocity [m/s], mass [kg]}, ghosts up to date.
+   * @param field  velocities, ghosts up to date.
    * @return extremes over this rank's particles after the step, one per body.
    */
   template <int dim>

@@ -74,15 +74,15 @@ namespace magmpm
   }
 
   /**
-   * For each owned block with particles of bodies that count: prepare(slot), f(body number, run) for
-   * all of them, finish(slot).
+   * For each owned block with particles of bodies that count, counts(body): prepare(slot), f(body
+   * number, run) for all of them, finish(slot).
    */
-  template <int dim, typename Prepare, typename Function, typename Finish>
+  template <int dim, typename Counts, typename Prepare, typename Function, typename Finish>
   void
   for_each_run(std::vector<Body<dim>> &bodies,
                const BlockSet<dim> &blocks,
                const Lattice<dim> &lattice,
-               const bool only_magnetic,
+               const Counts &counts,
                const Prepare &prepare,
                const Function &f,
                const Finish &finish)
@@ -93,7 +93,7 @@ namespace magmpm
         for (std::size_t b = 0; b < bodies.size(); ++b)
           {
             Body<dim> &body = bodies[b];
-            if (is_empty(body, slot) || (only_magnetic && !body.magnetic.is_magnetic()))
+            if (is_empty(body, slot) || !counts(body))
               continue;
             if (!is_prepared)
               prepare(slot);

@@ -29,8 +29,6 @@ namespace magmpm
   template <int dim>
   class BlockPartition;
   template <int dim>
-  class NodeField;
-  template <int dim>
   class ExternalField;
 
   /** A frame's number and time [s]. */

@@ -244,7 +244,7 @@ namespace magmpm
 
     std::unique_ptr<DomainDecomposition<dim>> decomposition;
     std::vector<Body<dim>> all_bodies;
-    NodeField<dim> lattice_field; ///< {momentum or velocity, mass}
+    NodeField<dim> lattice_field; ///< momentum, then velocity, and mass
 
     SceneState<dim> state;
   };

@@ -20,7 +20,7 @@ namespace magmpm
                    const std::vector<Body<dim>> &bodies);
 
     /** The volume_fraction() of the selected material; valid until forget(). Collective. */
-    const NodeField<dim> &
+    const NodeField<dim, SingleScalar> &
     volume_fraction(const MaterialSelection &selection);
 
     /** To be called when particles have moved, or changed their volume, or the blocks are others. */
@@ -31,7 +31,7 @@ namespace magmpm
     struct Answer
     {
       MaterialSelection selection;
-      NodeField<dim> field;
+      NodeField<dim, SingleScalar> field;
     };
 
     const BlockPartition<dim> &partition;

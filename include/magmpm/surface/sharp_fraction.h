@@ -30,28 +30,34 @@ namespace magmpm
   class SharpFraction
   {
   public:
-    /** Lanes of field(). */
-    enum Lane
+    /** What field() holds. */
+    struct Nodes
     {
-      volume, ///< v
-      full    ///< w
+      static constexpr NodeScalar<Nodes> volume = {0}; ///< v
+      static constexpr NodeScalar<Nodes> full   = {1}; ///< w
+
+      template <typename Function>
+      static constexpr void
+      for_each(Function &&f)
+      {
+        f(volume);
+        f(full);
+      }
     };
 
     /**
      * Collective.
      *
-     * @param volumes  lane 0: the volume fraction (volume_fraction.h) with its mirror images, ghosts
-     *                 updated.
+     * @param volumes  the volume fraction (volume_fraction.h) with its images behind shielded walls,
+     *                 ghosts updated.
      */
     void
     reinit(const BlockPartition<dim> &partition,
-           const Lattice<dim> &lattice,
-           const std::array<bool, 2 * dim> &shielded,
-           const NodeField<dim> &volumes,
+           const NodeField<dim, SingleScalar> &volumes,
            const SharpFractionParameters &parameters = {});
 
     /** v and w on the nodes; ghosts updated. */
-    const NodeField<dim> &
+    const NodeField<dim, Nodes> &
     field() const
     {
       return nodes;
@@ -76,7 +82,7 @@ namespace magmpm
     }
 
   private:
-    NodeField<dim> nodes;
+    NodeField<dim, Nodes> nodes;
     unsigned long clipped = 0;
   };
 } // namespace magmpm

@@ -36,17 +36,15 @@ namespace magmpm
     /**
      * Finds all of it. Collective.
      *
-     * @param volumes      lane 0: P2G of the particle volumes over dx^dim with its mirror images, ghosts
-     *                     updated.
+     * @param volumes      P2G of the particle volumes over dx^dim, with its images behind shielded walls,
+     *                     ghosts updated.
      * @param is_excluded  whether a place [m] is no place for material, although particles may be there;
      *                     the correction makes up for it.
      */
     void
     reinit(const BlockPartition<dim> &partition,
-           const Lattice<dim> &lattice,
-           const std::array<bool, 2 * dim> &shielded,
            const LatticeCells<dim> &cells,
-           const NodeField<dim> &volumes,
+           const NodeField<dim, SingleScalar> &volumes,
            const std::function<bool(const Vector<dim> &)> &is_excluded);
 
     /** Number of the first of the n_points<dim> points of each cell, or none. */
@@ -87,24 +85,22 @@ namespace magmpm
     find_fractions(const LatticeCells<dim> &cells,
                    const unsigned int cell,
                    const std::function<bool(const Vector<dim> &)> &is_excluded,
-                   NodeField<dim> &tested_fraction);
+                   NodeField<dim, SingleScalar> &tested_fraction);
 
     /**
      * Makes q on nodes, ghosts too, of int f N_i over dx^dim from the cells of this rank.
      *
-     * @param field  both, in lane 0.
+     * @param field  both.
      */
     void
     find_correction(const BlockPartition<dim> &partition,
-                    const Lattice<dim> &lattice,
-                    const std::array<bool, 2 * dim> &shielded,
-                    const NodeField<dim> &volumes,
-                    NodeField<dim> &field);
+                    const NodeField<dim, SingleScalar> &volumes,
+                    NodeField<dim, SingleScalar> &field);
 
     /** q and nu at the points of a cell with material. */
     void
     complete_points(const LatticeCells<dim> &cells,
                     const unsigned int cell,
-                    const NodeField<dim> &correction);
+                    const NodeField<dim, SingleScalar> &correction);
   };
 } // namespace magmpm

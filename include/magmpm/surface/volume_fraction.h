@@ -61,8 +61,7 @@ namespace magmpm
    * medium's (with its content, magnetic_content_to_lattice()), the density of fluids, surfaces.
    *
    * @param bodies  sorted into the blocks.
-   * @param field   on the active blocks; lane 0 of it becomes this rank's part of the fraction, ghosts
-   *                too, the others zero.
+   * @param field   on the active blocks; it becomes this rank's part of the fraction, ghosts too.
    */
   template <int dim>
   void
@@ -70,11 +69,11 @@ namespace magmpm
                  const MaterialSelection &selection,
                  const BlockSet<dim> &blocks,
                  const Lattice<dim> &lattice,
-                 NodeField<dim> &field);
+                 NodeField<dim, SingleScalar> &field);
 
   /** The same of all ranks, ghosts up to date. Collective. */
   template <int dim>
-  NodeField<dim>
+  NodeField<dim, SingleScalar>
   volume_fraction(const std::vector<Body<dim>> &bodies,
                   const MaterialSelection &selection,
                   const BlockPartition<dim> &partition,
