@@ -109,6 +109,6 @@ namespace magmpm
 
     /** Brings the material, the sources and the open boundary up to date. */
     void
-    set_state(const NodeField<dim> &content, const ExternalField<dim> &sources);
+    set_state(const NodeField<dim, NodeContent> &content, const ExternalField<dim> &sources);
   };
 } // namespace magmpm
