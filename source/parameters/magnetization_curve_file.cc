@@ -1,11 +1,8 @@
 #include <magmpm/base/exceptions.h>
 #include <magmpm/parameters/given_parameters.h>
-#include <magmpm/parameters/input_file.h>
 #include <magmpm/parameters/magnetization_curve_file.h>
-#include <magmpm/parameters/section_validation.h>
 
 #include <algorithm>
-#include <fstream>
 #include <sstream>
 
 namespace magmpm
@@ -89,34 +86,4 @@ namespace magmpm
                        std::to_string(points.fields.size()) + ". Add lines 'H, M' [A/m].");
     return {points.fields, points.magnetizations};
   }
-
-  template <int dim>
-  void
-  convert_magnetization_curve(const ParameterRegister &declarations,
-                              const ParameterInput<dim> &input,
-                              MagneticsParameters<dim> &magnetics)
-  {
-    const std::vector<std::string> curve = {"Magnetization curve"};
-    if (magnetics.law != MagnetizationLaw::table)
-      return check_given(
-        declarations, "Magnetics", {}, curve, "this law (Magnetization law is not table)");
-    check_given(declarations, "Magnetics", curve, {}, "Magnetization law = table");
-    const std::string name =
-      find_input_file(declarations, "Magnetics/Magnetization curve", input.magnetization_curve);
-    std::ifstream file(name);
-    if (!file)
-      throw declarations.error("Magnetics/Magnetization curve",
-                               "this file cannot be opened; are you allowed to read it?");
-    magnetics.curve =
-      std::make_shared<const MagnetizationCurve>(read_magnetization_curve(file, name));
-  }
-
-  template void
-  convert_magnetization_curve(const ParameterRegister &,
-                              const ParameterInput<2> &,
-                              MagneticsParameters<2> &);
-  template void
-  convert_magnetization_curve(const ParameterRegister &,
-                              const ParameterInput<3> &,
-                              MagneticsParameters<3> &);
 } // namespace magmpm

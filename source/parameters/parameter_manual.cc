@@ -1,4 +1,4 @@
-#include <magmpm/parameters/parameter_declarations.h>
+#include <magmpm/parameters/parameter_sections.h>
 #include <magmpm/parameters/parameters.h>
 
 #include <sstream>

@@ -99,6 +99,21 @@ namespace magmpm
   }
 
   void
+  ParameterRegister::add_text(const std::string &name,
+                              const std::string &default_value,
+                              const std::string &unit,
+                              const std::string &text)
+  {
+    declare(name,
+            default_value,
+            "a text",
+            unit,
+            text,
+            default_value.empty() ? Presence::optional : Presence::has_default,
+            [](const std::string &) { return true; });
+  }
+
+  void
   ParameterRegister::add(const std::string &name,
                          std::vector<std::string> &variable,
                          const std::vector<std::string> &choices,

@@ -1,7 +1,6 @@
 #include <magmpm/base/exceptions.h>
-#include <magmpm/parameters/parameter_declarations.h>
 #include <magmpm/parameters/parameter_listing.h>
-#include <magmpm/parameters/parameter_validation.h>
+#include <magmpm/parameters/parameter_sections.h>
 #include <magmpm/parameters/parameters.h>
 
 #include <algorithm>

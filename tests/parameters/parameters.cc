@@ -2,7 +2,7 @@
 
 #include <magmpm/base/constants.h>
 #include <magmpm/base/exceptions.h>
-#include <magmpm/parameters/parameter_declarations.h>
+#include <magmpm/parameters/parameter_sections.h>
 #include <magmpm/parameters/parameter_names.h>
 #include <magmpm/parameters/parameters.h>
 

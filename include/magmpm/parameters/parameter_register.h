@@ -92,6 +92,13 @@ namespace magmpm
         const std::string &text,
         const Presence presence = Presence::has_default);
 
+    /** Any text that is read later, by value(). @param default_value  empty: there is none. */
+    void
+    add_text(const std::string &name,
+             const std::string &default_value,
+             const std::string &unit,
+             const std::string &text);
+
     /** One of several names, each of which stands for a value. */
     template <typename Value>
     void
@@ -151,6 +158,13 @@ namespace magmpm
     is_declared(const std::string &path) const
     {
       return table.find(path) != nullptr;
+    }
+
+    /** The text of a declared parameter. */
+    const std::string &
+    value(const std::string &path) const
+    {
+      return declared(path).value;
     }
 
     /** Whether a parameter without default was given. */

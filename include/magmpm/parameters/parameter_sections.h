@@ -1,38 +1,54 @@
 #pragma once
 
-#include <magmpm/parameters/parameter_declarations.h>
+#include <magmpm/parameters/box_section.h>
+#include <magmpm/parameters/magnet_section.h>
+#include <magmpm/parameters/material_section.h>
+#include <magmpm/parameters/motion_input.h>
+#include <magmpm/parameters/parameter_register.h>
+#include <magmpm/parameters/parameters.h>
 
-/** The larger sections of a parameter file, each declared in a file of its own. */
+#include <string>
+#include <vector>
+
+/** All sections of a parameter file, each of which is declared and checked in a file of its own. */
 namespace magmpm
 {
-  /** Names of the faces of a box in the order of WallParameters. */
-  inline const std::vector<std::string> face_names =
-    {"Lower x", "Upper x", "Lower y", "Upper y", "Lower z", "Upper z"};
+  /** What the user gives, where it is not yet what Parameters holds. */
+  template <int dim>
+  struct ParameterInput
+  {
+    int dimension      = dim;
+    double temperature = 300.; ///< of the grains [K]
+    BoxInput<dim> box;
+    std::vector<std::string> body_names, material_names, magnet_names, rigid_body_names;
+    std::vector<MaterialInput> materials;        ///< in the order of material_names
+    std::vector<MagnetInput<dim>> magnets;       ///< in the order of magnet_names
+    std::vector<MotionInput> rigid_body_motions; ///< in the order of rigid_body_names
+  };
 
-  /** One of the bodies: its shape, material and start. */
+  /**
+   * Declares all parameters of a scene with the bodies, materials, magnets and rigid bodies named in @p input, and
+   * binds them to @p input and @p parameters, whose lists get their length here.
+   */
   template <int dim>
   void
-  declare_body(ParameterRegister &declarations, BodyParameters<dim> &body);
-
-  void
-  declare_material(ParameterRegister &declarations,
-                   const std::string &name,
-                   MaterialInput &material);
-
-  /** The section Attraction. */
-  template <int dim>
-  void
-  declare_attraction(ParameterRegister &declarations,
+  declare_parameters(ParameterRegister &declarations,
                      ParameterInput<dim> &input,
-                     PointAttraction<dim> &attraction);
+                     Parameters<dim> &parameters);
 
-  void
-  declare_rest(ParameterRegister &declarations, RestParameters &rest);
-
-  /** The section Magnetics: law, potential, solvers. */
+  /**
+   * Checks the relations between parameters and converts what was given into what @p parameters
+   * holds (lattice, moduli, magnetic content). The ranges of single values were checked by
+   * ParameterRegister::apply() before.
+   *
+   * @param declarations  what the user gave, for messages that name it.
+   * @param input         what the user gave, as it comes.
+   * @param parameters    filled by apply(); complete and warned about afterwards.
+   * @throw InputError    at the first relation that does not hold.
+   */
   template <int dim>
   void
-  declare_magnetics(ParameterRegister &declarations,
-                    ParameterInput<dim> &input,
-                    Parameters<dim> &parameters);
+  validate(const ParameterRegister &declarations,
+           const ParameterInput<dim> &input,
+           Parameters<dim> &parameters);
 } // namespace magmpm

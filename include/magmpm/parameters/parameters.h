@@ -20,7 +20,7 @@ namespace magmpm
 {
   /**
    * All that a parameter file says of a scene, in SI units, checked and converted: whoever holds this
-   * object may rely on every relation that parameter_validation.cc checks. Every room takes its own
+   * object may rely on every relation that validate() checks. Every room takes its own
    * part of it.
    */
   template <int dim>

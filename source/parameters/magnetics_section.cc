@@ -1,4 +1,11 @@
-#include <magmpm/parameters/parameter_sections.h>
+#include <magmpm/mesh/potential_box.h>
+#include <magmpm/parameters/face_names.h>
+#include <magmpm/parameters/given_parameters.h>
+#include <magmpm/parameters/input_file.h>
+#include <magmpm/parameters/magnetics_section.h>
+#include <magmpm/parameters/magnetization_curve_file.h>
+
+#include <fstream>
 
 namespace magmpm
 {
@@ -66,25 +73,26 @@ namespace magmpm
   template <int dim>
   void
   declare_magnetics(ParameterRegister &declarations,
-                    ParameterInput<dim> &input,
-                    Parameters<dim> &parameters)
+                    double &temperature,
+                    MagneticsParameters<dim> &magnetics,
+                    MeshParameters<dim> &mesh,
+                    SolveTriggerParameters &solve_trigger)
   {
-    MagneticsParameters<dim> &magnetics = parameters.magnetics;
-    const auto section                  = declarations.enter("Magnetics");
+    const auto section = declarations.enter("Magnetics");
     declarations.add("Magnetization law",
                      magnetics.law,
                      {{"Langevin", MagnetizationLaw::langevin},
                       {"linear", MagnetizationLaw::linear},
                       {"table", MagnetizationLaw::table}},
                      "How all magnetic materials of the scene answer to the field.");
-    declarations.add("Magnetization curve",
-                     input.magnetization_curve,
-                     "A/m",
-                     "With Magnetization law = table: a file of lines 'H, M' [A/m], in the folder "
-                     "of the parameter file, H rising, M not falling.",
-                     Presence::optional);
+    declarations.add_text(
+      "Magnetization curve",
+      "",
+      "A/m",
+      "With Magnetization law = table: a file of lines 'H, M' [A/m], in the folder "
+      "of the parameter file, H rising, M not falling.");
     declarations.add("Temperature",
-                     input.temperature,
+                     temperature,
                      "K",
                      "Of the grains; it relates their moment and number density to M_s and chi_0.",
                      {1., 1e4});
@@ -115,12 +123,65 @@ namespace magmpm
                      "-",
                      "In one Newton step; more than these fail the run.",
                      {1., 1e6});
-    declare_potential_mesh(declarations, parameters.mesh);
-    declare_solve_trigger(declarations, parameters.solve_trigger);
+    declare_potential_mesh(declarations, mesh);
+    declare_solve_trigger(declarations, solve_trigger);
   }
 
-  template void
-  declare_magnetics(ParameterRegister &, ParameterInput<2> &, Parameters<2> &);
-  template void
-  declare_magnetics(ParameterRegister &, ParameterInput<3> &, Parameters<3> &);
+  template <int dim>
+  void
+  convert_magnetization_curve(const ParameterRegister &declarations,
+                              MagneticsParameters<dim> &magnetics)
+  {
+    const std::vector<std::string> curve = {"Magnetization curve"};
+    if (magnetics.law != MagnetizationLaw::table)
+      return check_given(
+        declarations, "Magnetics", {}, curve, "this law (Magnetization law is not table)");
+    check_given(declarations, "Magnetics", curve, {}, "Magnetization law = table");
+    const std::string name = find_input_file(declarations,
+                                             "Magnetics/Magnetization curve",
+                                             declarations.value("Magnetics/Magnetization curve"));
+    std::ifstream file(name);
+    if (!file)
+      throw declarations.error("Magnetics/Magnetization curve",
+                               "this file cannot be opened; are you allowed to read it?");
+    magnetics.curve =
+      std::make_shared<const MagnetizationCurve>(read_magnetization_curve(file, name));
+  }
+
+  template <int dim>
+  void
+  check_potential_box(const ParameterRegister &declarations,
+                      const Lattice<dim> &lattice,
+                      const MeshParameters<dim> &mesh)
+  {
+    constexpr double max_blocks = (1 << 20) - 4096;
+    const auto check            = [&](const int d, const double n_blocks) {
+      if (n_blocks > max_blocks)
+        throw declarations.error("Magnetics/Potential box factor",
+                                 "that makes " + to_text(block_edge * n_blocks) + " cells along " +
+                                   axis_names[d] + "; at most " + to_text(block_edge * max_blocks) +
+                                   " are possible. Choose a smaller factor, or larger cells.");
+    };
+    if (!mesh.carries_potential)
+      return;
+    for (int d = 0; d < dim; ++d)
+      check(d, mesh.potential_box_factor * lattice.n_cells[d] / block_edge);
+    const PotentialBox<dim> box = potential_box(lattice, mesh);
+    for (int d = 0; d < dim; ++d)
+      check(d, box.n_blocks()[d]);
+  }
+
+#define INSTANTIATE(dim)                                                           \
+  template void check_potential_box(                                               \
+    const ParameterRegister &, const Lattice<dim> &, const MeshParameters<dim> &); \
+  template void declare_magnetics(ParameterRegister &,                             \
+                                  double &,                                        \
+                                  MagneticsParameters<dim> &,                      \
+                                  MeshParameters<dim> &,                           \
+                                  SolveTriggerParameters &);                       \
+  template void convert_magnetization_curve(const ParameterRegister &, MagneticsParameters<dim> &);
+
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace magmpm
