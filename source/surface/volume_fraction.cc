@@ -1,56 +1,14 @@
-#include <magmpm/parallel/reduce.h>
-
 #include <magmpm/lattice/arena.h>
 #include <magmpm/lattice/bspline.h>
 #include <magmpm/particles/particle_quantities.h>
 #include <magmpm/surface/volume_fraction.h>
 
-#include <algorithm>
-#include <limits>
+#include <cmath>
 
 namespace magmpm
 {
   namespace
   {
-    /** Sets first and count so that the nodes of all particles, and one more, lie in the box. */
-    template <int dim>
-    void
-    set_box(const Body<dim> &body,
-            const Lattice<dim> &lattice,
-            const MPI_Comm communicator,
-            VolumeFraction<dim> &fraction)
-    {
-      // Lower corners, and upper ones with the sign changed, so that one minimum does for both.
-      std::vector<int> corners(2 * dim, std::numeric_limits<int>::max());
-      for (std::size_t p = 0; p < body.particles.size(); ++p)
-        {
-          const Index<dim> base = lattice.base_node(body.particles.position(p));
-          for (int d = 0; d < dim; ++d)
-            {
-              corners[d]       = std::min(corners[d], base[d] - 1);
-              corners[dim + d] = std::min(corners[dim + d], -(base[d] + stencil_width));
-            }
-        }
-      corners = parallel::min(corners, communicator);
-      if (corners[0] == std::numeric_limits<int>::max())
-        return;
-      for (int d = 0; d < dim; ++d)
-        {
-          fraction.first[d] = corners[d];
-          fraction.count[d] = -corners[dim + d] - corners[d] + 1;
-        }
-    }
-
-    /** The place in VolumeFraction::values of a node. */
-    template <int dim>
-    std::size_t
-    place_of(const VolumeFraction<dim> &fraction, const Index<dim> &node)
-    {
-      std::size_t place = 0;
-      for (int d = dim - 1; d >= 0; --d)
-        place = place * fraction.count[d] + (node[d] - fraction.first[d]);
-      return place;
-    }
     /** Adds a volume, over that of a cell, to the nodes around a particle of a block. */
     template <int dim>
     void
@@ -114,39 +72,6 @@ namespace magmpm
     return field;
   }
 
-  template <int dim>
-  VolumeFraction<dim>
-  volume_fraction(const Body<dim> &body, const Lattice<dim> &lattice, const MPI_Comm communicator)
-  {
-    VolumeFraction<dim> fraction;
-    set_box(body, lattice, communicator, fraction);
-    std::size_t n_nodes = 1;
-    for (int d = 0; d < dim; ++d)
-      n_nodes *= fraction.count[d];
-    fraction.values.assign(n_nodes, 0.);
-
-    const double cell_volume = std::pow(lattice.spacing, dim);
-    for (std::size_t p = 0; p < body.particles.size(); ++p)
-      {
-        const double part = particle_volume_ratio(body, p) *
-                            body.particles.component(ParticleProperty::volume, 0)[p] / cell_volume;
-        for_stencil(
-          lattice, body.particles.position(p), [&](const Index<dim> &node, const double weight) {
-            fraction.values[place_of<dim>(fraction, node)] += part * weight;
-          });
-      }
-
-    const bool is_first = parallel::rank(communicator) == 0;
-    MPI_Reduce(is_first ? MPI_IN_PLACE : fraction.values.data(),
-               fraction.values.data(),
-               static_cast<int>(n_nodes),
-               MPI_DOUBLE,
-               MPI_SUM,
-               0,
-               communicator);
-    return fraction;
-  }
-
 #define MAGMPM_INSTANTIATE(dim)                                                         \
   template void scatter_volume(const std::vector<Body<dim>> &,                          \
                                const MaterialSelection &,                               \
@@ -156,8 +81,7 @@ namespace magmpm
   template NodeField<dim, SingleScalar> volume_fraction(const std::vector<Body<dim>> &, \
                                                         const MaterialSelection &,      \
                                                         const BlockPartition<dim> &,    \
-                                                        const Lattice<dim> &);          \
-  template VolumeFraction<dim> volume_fraction(const Body<dim> &, const Lattice<dim> &, MPI_Comm);
+                                                        const Lattice<dim> &);
 
   MAGMPM_INSTANTIATE(2)
   MAGMPM_INSTANTIATE(3)
