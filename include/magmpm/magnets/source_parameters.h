@@ -30,7 +30,7 @@ namespace magmpm
 
   /**
    * The parameters of one kind of source. A new kind is a pair of files with its parameters, its field
-   * and make_parts(), a line here, and one in the table of parameters/magnet_section.cc.
+   * and make_parts(), a line here, and one in the table of parameters/source_kinds.cc.
    */
   template <int dim>
   using SourceKind = std::conditional_t<
