@@ -3,10 +3,10 @@
 //
 //   particle_step [--help]
 
+#include <magmpm/base/number_text.h>
 #include <magmpm/base/simd.h>
 #include <magmpm/base/version.h>
 #include <magmpm/parallel/error_report.h>
-#include <magmpm/base/number_text.h>
 
 #include <deal.II/base/mpi.h>
 

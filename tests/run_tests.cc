@@ -1,8 +1,8 @@
 // All that Catch2 2 keeps in its one header, compiled once for all test programs.
 
 #define CATCH_CONFIG_RUNNER
-#include "catch.h"
 #include "run_tests.h"
+#include "catch.h"
 
 int
 run_tests(int argc, char **argv)

@@ -1,5 +1,5 @@
-#include <speed_against_error/contender.h>
 #include <shared/stopwatch.h>
+#include <speed_against_error/contender.h>
 
 #include <verification/magnetostatics/particle_setup.h>
 

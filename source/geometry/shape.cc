@@ -4,8 +4,8 @@
 #include <magmpm/geometry/mesh_file.h>
 #include <magmpm/geometry/mesh_shape.h>
 #include <magmpm/geometry/point_cloud_shape.h>
-#include <magmpm/motion/pose.h>
 #include <magmpm/geometry/sphere_shape.h>
+#include <magmpm/motion/pose.h>
 
 namespace magmpm
 {

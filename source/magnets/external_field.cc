@@ -173,9 +173,9 @@ namespace magmpm
         change.relative_strength = std::max(change.relative_strength, norm(now - then) / scale);
         if (!source.is_axisymmetric())
           change.relative_strength = std::max(change.relative_strength, turn);
-        change.displacement = std::max(change.displacement,
-                                       norm(source.pose().position - kept[s].pose.position) +
-                                         turn * source.reach());
+        change.displacement =
+          std::max(change.displacement,
+                   norm(source.pose().position - kept[s].pose.position) + turn * source.reach());
       }
     return change;
   }

@@ -24,10 +24,7 @@ namespace
 
 // What the potential solver and deal.II do with SIMD lanes is, lane by lane, what they would do with a
 // number: the same operations are done with the numbers of each lane.
-TEMPLATE_TEST_CASE("Arithmetic of SIMD lanes is that of their numbers",
-                   "[elliptic]",
-                   float,
-                   double)
+TEMPLATE_TEST_CASE("Arithmetic of SIMD lanes is that of their numbers", "[elliptic]", float, double)
 {
   using Lanes            = CellLanes<TestType>;
   const Lanes a          = arbitrary<TestType>(0.3);

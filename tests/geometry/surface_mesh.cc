@@ -1,8 +1,8 @@
 #include "../catch.h"
 
 #include <magmpm/base/constants.h>
-#include <magmpm/motion/pose.h>
 #include <magmpm/geometry/shape.h>
+#include <magmpm/motion/pose.h>
 
 #include <cmath>
 

@@ -1,4 +1,3 @@
-#include <magmpm/parallel/reduce.h>
 #include <magmpm/mesh/block_partition.h>
 #include <magmpm/parallel/reduce.h>
 

@@ -2,12 +2,11 @@
 
 #include <magmpm/base/constants.h>
 #include <magmpm/base/exceptions.h>
-#include <magmpm/parameters/parameter_sections.h>
 #include <magmpm/parameters/parameter_names.h>
+#include <magmpm/parameters/parameter_sections.h>
 #include <magmpm/parameters/parameters.h>
 
 #include <verification/program/paths.h>
-
 
 #include <cmath>
 #include <filesystem>

@@ -7,8 +7,8 @@
 #include <vtkPolyData.h>
 #include <vtkXMLPolyDataReader.h>
 
-#include <verification/program/paths.h>
 #include <verification/program/particle_frame.h>
+#include <verification/program/paths.h>
 #include <verification/program/program_run.h>
 #include <verification/program/statistics.h>
 

@@ -72,8 +72,8 @@ TEST_CASE("On several ranks wrong input is told once", "[program]")
 // run. Instead of waiting for ever, all must end with the exit code of the rank that failed.
 TEST_CASE("A rank that fails alone ends the run", "[program]")
 {
-  const Outcome outcome = run("timeout 60 " + mpiexec() + " -n 1 " +
-                              magmpm_program() + " " + files +
+  const Outcome outcome = run("timeout 60 " + mpiexec() + " -n 1 " + magmpm_program() + " " +
+                              files +
                               "falling_block.prm --set 'Output directory=output-alone' : -n 1 " +
                               magmpm_program() + " --wrong");
   CHECK(outcome.exit_code == 2);

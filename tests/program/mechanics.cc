@@ -1,7 +1,7 @@
 #include "catch.h"
 
-#include <verification/program/paths.h>
 #include <verification/program/particle_frame.h>
+#include <verification/program/paths.h>
 #include <verification/program/program_run.h>
 #include <verification/program/statistics.h>
 #include <verification/text_file.h>
@@ -14,8 +14,7 @@ using namespace magmpm::verification;
 namespace
 {
   /** A cube of 8^3 cells of dx = 10 mm in a box of 32^3; elastic, c = 11.6 m/s. */
-  const std::string falling_block = source_folder() +
-                                    "/parameter_files/falling_block.prm ";
+  const std::string falling_block = source_folder() + "/parameter_files/falling_block.prm ";
 
   const std::string no_output =
     "--set Output/Particles=false --set Output/Fields=false --set \"Output/Frame interval=0.05\" ";

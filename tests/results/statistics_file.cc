@@ -3,8 +3,8 @@
 #include <magmpm/base/exceptions.h>
 #include <magmpm/results/statistics_file.h>
 
-#include "catch.h"
 #include "../test_folder.h"
+#include "catch.h"
 
 #include <algorithm>
 #include <cmath>

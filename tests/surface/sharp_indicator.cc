@@ -1,9 +1,9 @@
 #include "catch.h"
 
-#include <magmpm/parallel/reduce.h>
 #include <magmpm/elliptic/elliptic_space.h>
 #include <magmpm/magnetics/material_points.h>
 #include <magmpm/mesh/node_filters.h>
+#include <magmpm/parallel/reduce.h>
 
 #include <verification/magnetostatics/sampled_setup.h>
 #include <verification/magnetostatics/sources.h>

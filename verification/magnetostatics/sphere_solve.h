@@ -40,7 +40,7 @@ namespace magmpm::verification
   {
     constexpr double spacing = 0.01;
     MagneticsParameters<dim> parameters;
-    parameters.law              = MagnetizationLaw::linear;
+    parameters.law                     = MagnetizationLaw::linear;
     parameters.solver.preconditioner   = preconditioner;
     parameters.solver.newton_tolerance = 2e-8; // a linear system is solved to half of it
     SampledSetup<dim> setup(4 * radius_in_cells, spacing, 8., parameters);

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <magmpm/motion/pose.h>
 #include <magmpm/geometry/shape.h>
+#include <magmpm/motion/pose.h>
 
 namespace magmpm
 {

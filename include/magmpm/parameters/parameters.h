@@ -2,16 +2,16 @@
 
 #include <magmpm/boundary/rigid_body_parameters.h>
 #include <magmpm/boundary/wall_parameters.h>
-#include <magmpm/parameters/parameter_file.h>
-#include <magmpm/parameters/run_parameters.h>
+#include <magmpm/coupling/attraction.h>
+#include <magmpm/coupling/solve_trigger_parameters.h>
 #include <magmpm/lattice/lattice.h>
 #include <magmpm/magnetics/magnetics_parameters.h>
 #include <magmpm/magnets/source_parameters.h>
 #include <magmpm/materials/material_parameters.h>
 #include <magmpm/mesh/mesh_parameters.h>
+#include <magmpm/parameters/parameter_file.h>
+#include <magmpm/parameters/run_parameters.h>
 #include <magmpm/particles/body_parameters.h>
-#include <magmpm/coupling/attraction.h>
-#include <magmpm/coupling/solve_trigger_parameters.h>
 
 #include <string>
 #include <vector>
