@@ -29,7 +29,7 @@ namespace magmpm
     /** Mass and momentum of the particles at @p place, number @p p of the batch, for P2G. */
     template <int dim, typename Law, typename Place>
     inline void
-    momentum_of_particles(const Run<dim> &run,
+    momentum_of_particles(const ParticleRun<dim> &run,
                           const StencilBatch<dim> &stencils,
                           const Law &law,
                           const double time_step,
@@ -70,7 +70,10 @@ namespace magmpm
 
     template <int dim, typename Law>
     [[gnu::flatten]] void
-    scatter_momentum(const Run<dim> &run, const Law &law, const double time_step, double *arena)
+    scatter_momentum(const ParticleRun<dim> &run,
+                     const Law &law,
+                     const double time_step,
+                     double *arena)
     {
       StencilBatch<dim> stencils;
       LinearBatch<dim> batch;
@@ -132,7 +135,7 @@ namespace magmpm
      */
     template <int dim, typename Law, typename Place>
     inline void
-    advance_particles(const Run<dim> &run,
+    advance_particles(const ParticleRun<dim> &run,
                       const StencilBatch<dim> &stencils,
                       const LinearBatch<dim> &batch,
                       const Law &law,
@@ -180,7 +183,7 @@ namespace magmpm
 
     template <int dim, typename Law>
     [[gnu::flatten]] void
-    gather_velocity(const Run<dim> &run,
+    gather_velocity(const ParticleRun<dim> &run,
                     const Law &law,
                     const double time_step,
                     const double *arena,
@@ -227,7 +230,7 @@ namespace magmpm
       lattice,
       all_bodies,
       [&](const int) { arena.set_zero(); },
-      [&](const std::size_t b, const Run<dim> &run) {
+      [&](const std::size_t b, const ParticleRun<dim> &run) {
         std::visit(
           [&](const auto &law) {
             scatter_momentum(run, law.template with_number<SimdDouble>(), time_step, arena.data());
@@ -253,7 +256,7 @@ namespace magmpm
       lattice,
       all_bodies,
       [&](const int slot) { arena.load(field, blocks, slot); },
-      [&](const std::size_t b, const Run<dim> &run) {
+      [&](const std::size_t b, const ParticleRun<dim> &run) {
         std::visit(
           [&](const auto &law) {
             gather_velocity(

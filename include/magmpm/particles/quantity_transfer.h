@@ -10,7 +10,7 @@ namespace magmpm
   /** Adds value(place, lanes), up to four lanes for the nodes around each particle of a run, to an arena. */
   template <int dim, typename Value>
   [[gnu::flatten]] void
-  scatter_run(const Run<dim> &run, const Value &value, double *arena)
+  scatter_run(const ParticleRun<dim> &run, const Value &value, double *arena)
   {
     StencilBatch<dim> stencils;
     alignas(64) double numbers[batch_size][n_lanes];
@@ -30,7 +30,7 @@ namespace magmpm
   /** Calls take(particle, sum_i N_i q_i of the lanes) for each particle of a run. */
   template <int dim, typename Take>
   [[gnu::flatten]] void
-  gather_run(const Run<dim> &run, const double *arena, const Take &take)
+  gather_run(const ParticleRun<dim> &run, const double *arena, const Take &take)
   {
     StencilBatch<dim> stencils;
     for_each_batch(run, [&](const std::size_t first, const int n) {
@@ -67,7 +67,7 @@ namespace magmpm
       lattice,
       counts,
       [&](const int) { arena.set_zero(); },
-      [&](const std::size_t b, const Run<dim> &run) {
+      [&](const std::size_t b, const ParticleRun<dim> &run) {
         std::visit(
           [&](const auto &law) {
             scatter_run(
@@ -102,7 +102,7 @@ namespace magmpm
       lattice,
       counts,
       [&](const int slot) { arena.load(field, blocks, slot); },
-      [&](const std::size_t b, const Run<dim> &run) {
+      [&](const std::size_t b, const ParticleRun<dim> &run) {
         gather_run(run, arena.data(), take_of(bodies[b]));
       },
       [](const int) {});

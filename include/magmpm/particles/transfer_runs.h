@@ -12,7 +12,7 @@ namespace magmpm
 {
   /** One run of particles: the kernels below work on it. */
   template <int dim>
-  struct Run
+  struct ParticleRun
   {
     ParticleArrays<dim> particles;
     std::size_t begin, end;
@@ -23,7 +23,7 @@ namespace magmpm
   /** Calls f(first particle, n) for the batches of a run. */
   template <int dim, typename Function>
   inline void
-  for_each_batch(const Run<dim> &run, const Function &f)
+  for_each_batch(const ParticleRun<dim> &run, const Function &f)
   {
     for (std::size_t first = run.begin; first < run.end; first += batch_size)
       f(first, static_cast<int>(std::min<std::size_t>(batch_size, run.end - first)));
@@ -44,7 +44,7 @@ namespace magmpm
 
   template <int dim>
   inline void
-  place_stencils(const Run<dim> &run,
+  place_stencils(const ParticleRun<dim> &run,
                  const std::size_t first,
                  const int n,
                  StencilBatch<dim> &stencils)
@@ -56,7 +56,7 @@ namespace magmpm
 
   /** The run of @p body in the block of @p slot. */
   template <int dim>
-  Run<dim>
+  ParticleRun<dim>
   run_of(Body<dim> &body, const BlockSet<dim> &blocks, const Lattice<dim> &lattice, const int slot)
   {
     return {body.particles.arrays(),
