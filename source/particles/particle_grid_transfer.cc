@@ -171,14 +171,14 @@ namespace magmpm
 
       const SimdDouble speed        = norm(velocity);
       const SimdDouble volume_ratio = law.volume_ratio(state);
-      extremes.raise(extremes.speed, speed);
-      extremes.raise(extremes.signal_speed, speed + law.wave_speed(state));
-      extremes.raise(extremes.affine_velocity, frobenius_norm(affine));
-      extremes.raise(extremes.max_volume_ratio, volume_ratio);
-      extremes.raise(extremes.max_inverse_volume_ratio,
-                     SimdDouble::select(volume_ratio > 0.,
-                                        1. / volume_ratio,
-                                        std::numeric_limits<double>::infinity()));
+      LaneExtremes::raise(extremes.speed, speed);
+      LaneExtremes::raise(extremes.signal_speed, speed + law.wave_speed(state));
+      LaneExtremes::raise(extremes.affine_velocity, frobenius_norm(affine));
+      LaneExtremes::raise(extremes.max_volume_ratio, volume_ratio);
+      LaneExtremes::raise(extremes.max_inverse_volume_ratio,
+                          SimdDouble::select(volume_ratio > 0.,
+                                             1. / volume_ratio,
+                                             std::numeric_limits<double>::infinity()));
     }
 
     template <int dim, typename Law>

@@ -55,7 +55,7 @@ namespace magmpm
               throw InputError("nothing follows --set; write --set \"Section/Name=value\".");
             command_line.overrides.push_back(arguments[i]);
           }
-        else if (argument.rfind("-", 0) == 0)
+        else if (argument.rfind('-', 0) == 0)
           throw unknown_option(argument);
         else if (command_line.file.empty())
           command_line.file = argument;

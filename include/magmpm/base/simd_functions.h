@@ -68,6 +68,6 @@ namespace magmpm
     const Numbers not_below = Numbers::select(x < -708., 0., exponential);
     const Numbers bounded =
       Numbers::select(x > 709., std::numeric_limits<double>::infinity(), not_below);
-    return Numbers::select(x <= x, bounded, x);
+    return Numbers::select(x <= x, bounded, x); // a NaN stays NaN NOLINT(misc-redundant-expression)
   }
 } // namespace magmpm

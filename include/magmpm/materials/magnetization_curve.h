@@ -123,7 +123,7 @@ namespace magmpm
   MagnetizationCurve::evaluate(const Number square) const
   {
     using std::sqrt, std::log, std::max, std::min;
-    constexpr int n_lanes = sizeof(Number) / sizeof(double);
+    constexpr int n_lanes = sizeof(Number) / sizeof(double); // NOLINT(bugprone-sizeof-expression)
 
     // Without field M/|H| and dM/d|H| are those next to it; the anisotropy, then all rounding error, is
     // multiplied by |H|^2 in what it serves for.

@@ -62,7 +62,7 @@ namespace magmpm
      */
     StatisticsFile(const MPI_Comm communicator,
                    const std::string &path,
-                   const std::vector<StatisticsColumn> &columns,
+                   const std::vector<StatisticsColumn> &table,
                    const std::uintmax_t size_to_keep = 0);
 
     void
