@@ -1,4 +1,4 @@
-# Tests of the source as text: its includes and its layout, and what clang-tidy finds.
+# Tests of the source as text: its includes and its layout, what clang-tidy finds and what Doxygen reads.
 
 magmpm_add_test(check_includes 60 ${PROJECT_SOURCE_DIR}/scripts/check_includes)
 
@@ -63,4 +63,17 @@ if(MAGMPM_CLANG_TIDY)
   set_tests_properties(clang_tidy.long PROPERTIES LABELS long)
 else()
   message(STATUS "What clang-tidy finds in the source is not tested: that needs clang-tidy-14")
+endif()
+
+# --- Doxygen ---------------------------------------------------------------------------------
+
+find_package(Doxygen QUIET)
+if(DOXYGEN_FOUND)
+  set(doxyfile ${PROJECT_BINARY_DIR}/Doxyfile)
+  configure_file(${PROJECT_SOURCE_DIR}/doc/Doxyfile.in ${doxyfile} @ONLY)
+  add_custom_target(doxygen COMMAND Doxygen::doxygen ${doxyfile} VERBATIM
+                    COMMENT "Writing the reference of the headers: doxygen/html/index.html")
+  magmpm_add_test(doxygen 300 ${DOXYGEN_EXECUTABLE} ${doxyfile})
+else()
+  message(STATUS "The docstrings of the headers are not tested: that needs doxygen")
 endif()

@@ -42,7 +42,7 @@ namespace magmpm::parallel
    * - a number or an enumeration,
    * - a Vector, Matrix, array or standard container of what can be x,
    * - a struct that names its members (which can be x) in a member function
-   *     template <typename F> void for_each_number(F &&f) { f(mass); f(momentum); }
+   *     `template <typename F> void for_each_number(F &&f) { f(mass); f(momentum); }`
    */
   template <typename T, typename F>
   void

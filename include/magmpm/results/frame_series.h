@@ -11,7 +11,7 @@
 
 namespace magmpm
 {
-  /** Frames of one kind, as an output writes them: `NAME/NAME_<frame>.*` and `NAME.pvd`, which lists them. */
+  /** Frames of one kind, as an output writes them: files in `NAME` and `NAME.pvd`, which lists them. */
   struct FrameKind
   {
     std::string name;
