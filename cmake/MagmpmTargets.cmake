@@ -141,9 +141,6 @@ foreach(room geometry magnets results elliptic simulation)
   magmpm_compile_together(magmpm_${room} ${PROJECT_SOURCE_DIR}/source/elliptic/simd_matrix_free.cc)
 endforeach()
 
-# Until this room includes what it may only.
-target_link_libraries(magmpm_boundary PRIVATE magmpm_magnets)
-
 # The version's commit: written again after a commit or checkout, which append to git's log of HEAD.
 set(version_source ${PROJECT_BINARY_DIR}/version.cc)
 set(version_dependencies source/base/version.cc.in cmake/WriteVersion.cmake)
