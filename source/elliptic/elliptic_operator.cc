@@ -6,25 +6,44 @@ namespace magmpm
 {
   namespace
   {
-    /** Values at points to values at nodes along one axis, in place; @p matrix[node][point]. */
-    template <typename Lanes, std::size_t n_values>
+    constexpr unsigned int n_nodes_1d = potential_degree + 1;
+
+    /**
+     * sum_q d_a N_i(q) d_b N_i(q) values(q) for the shape functions N_i of a cell and the points q of a rule,
+     * one axis after the other.
+     */
+    template <int dim, unsigned int n, typename Evaluation, typename Lanes>
     void
-    contract(const Lanes *matrix, const unsigned int stride, Lanes (&values)[n_values])
+    add_diagonal(const Evaluation &u,
+                 const unsigned int a,
+                 const unsigned int b,
+                 const Lanes *values,
+                 Lanes *diagonal)
     {
-      constexpr unsigned int n = n_points_1d;
-      for (unsigned int line = 0; line < n_values / n; ++line)
+      const auto &shape = u.get_shape_info().data[0];
+      Lanes buffers[2][power(static_cast<int>(n_nodes_1d), dim)];
+      std::copy_n(values, Evaluation::static_n_q_points, buffers[0]);
+      unsigned int n_lines = Evaluation::static_n_q_points / n, stride = 1;
+      for (unsigned int axis = 0; axis < dim; ++axis, stride *= n_nodes_1d)
         {
-          Lanes *first = values + line % stride + line / stride * stride * n;
-          Lanes in[n];
-          for (unsigned int q = 0; q < n; ++q)
-            in[q] = first[q * stride];
-          for (unsigned int i = 0; i < n; ++i)
-            {
-              first[i * stride] = matrix[i * n] * in[0];
-              for (unsigned int q = 1; q < n; ++q)
-                first[i * stride] += matrix[i * n + q] * in[q];
-            }
+          const Lanes *first  = axis == a ? &shape.shape_gradients[0] : &shape.shape_values[0];
+          const Lanes *second = axis == b ? &shape.shape_gradients[0] : &shape.shape_values[0];
+          const Lanes *in     = buffers[axis % 2];
+          Lanes *out          = buffers[(axis + 1) % 2];
+          for (unsigned int line = 0; line < n_lines; ++line)
+            for (unsigned int i = 0; i < n_nodes_1d; ++i)
+              {
+                Lanes sum = typename Lanes::value_type(0.);
+                for (unsigned int q = 0; q < n; ++q)
+                  sum += first[i * n + q] * second[i * n + q] *
+                         in[line % stride + (line / stride * n + q) * stride];
+                out[line % stride + (line / stride * n_nodes_1d + i) * stride] = sum;
+              }
+          n_lines = n_lines / n * n_nodes_1d;
         }
+      const Lanes *result = buffers[dim % 2];
+      for (int i = 0; i < power(static_cast<int>(n_nodes_1d), dim); ++i)
+        diagonal[i] += result[i];
     }
   } // namespace
 
@@ -32,9 +51,9 @@ namespace magmpm
   void
   EllipticOperator<dim, Number>::clear()
   {
-    first_tensor.clear();
+    media.clear();
     first_matrix.clear();
-    tensors.clear();
+    coefficients.clear();
     matrices.clear();
     is_at_edge.clear();
     Base::clear();
@@ -42,27 +61,26 @@ namespace magmpm
 
   template <int dim, typename Number>
   void
-  EllipticOperator<dim, Number>::set_coefficient(const CellCoefficient &coefficient)
+  EllipticOperator<dim, Number>::set_coefficient(const Coefficient &coefficient)
   {
     const CellBatches<dim, Number> &cells = *this->data;
-    first_tensor.assign(cells.n_cell_batches(), invalid_entry);
-    tensors.resize(0);
+    media.assign(cells.n_cell_batches(), invalid_entry);
+    coefficients.resize(0);
     for (unsigned int batch = 0; batch < cells.n_cell_batches(); ++batch)
       for (unsigned int lane = 0; lane < cells.n_active_entries_per_cell_batch(batch); ++lane)
-        if (const auto *values = coefficient(batch, lane))
+        if (const CellCoefficient<dim> *of_cell = coefficient(batch, lane))
           {
-            if (first_tensor[batch] == invalid_entry)
+            if (media[batch] == invalid_entry)
               {
-                first_tensor[batch] = tensors.size();
-                dealii::SymmetricTensor<2, dim, Lanes> vacuum;
-                for (unsigned int d = 0; d < dim; ++d)
-                  vacuum[d][d] = Number(1.);
-                tensors.resize(tensors.size() + n_points<dim>, vacuum);
+                media[batch] = coefficients.size();
+                coefficients.push_back(BatchCoefficient());
               }
-            for (unsigned int q = 0; q < n_points<dim>; ++q)
+            BatchCoefficient &of_batch = coefficients[media[batch]];
+            of_batch.whole[lane]       = of_cell->whole;
+            for (unsigned int q = 0; q < n_octants<dim>; ++q)
               for (unsigned int i = 0; i < dim; ++i)
                 for (unsigned int j = 0; j <= i; ++j)
-                  tensors[first_tensor[batch] + q][i][j][lane] = values[q][i][j];
+                  of_batch.octants[q][i][j][lane] = of_cell->octants[q][i][j];
           }
   }
 
@@ -112,24 +130,35 @@ namespace magmpm
 
   template <int dim, typename Number>
   void
-  EllipticOperator<dim, Number>::apply_to_cell(Evaluation &u) const
+  EllipticOperator<dim, Number>::apply_to_cell(Evaluation &u, OctantEvaluation &octants) const
   {
     // integrate() below overwrites the values of the cell.
     const unsigned int batch = u.get_current_cell_index();
     const bool has_boundary  = first_matrix[batch] != invalid_entry;
+    const bool has_medium    = media[batch] != invalid_entry;
+    Lanes whole              = Number(1.);
     Lanes boundary_part[n_cell_dofs];
     if (has_boundary)
       boundary_product(batch, u.begin_dof_values(), boundary_part);
+    if (has_medium)
+      {
+        octants.reinit(batch);
+        octants.evaluate(u.begin_dof_values(), dealii::EvaluationFlags::gradients);
+        const BatchCoefficient &coefficient = coefficients[media[batch]];
+        whole                               = coefficient.whole;
+        for (unsigned int q = 0; q < n_octants<dim>; ++q)
+          octants.submit_gradient(coefficient.octants[q] * octants.get_gradient(q), q);
+        octants.integrate(dealii::EvaluationFlags::gradients);
+      }
 
     u.evaluate(dealii::EvaluationFlags::gradients);
-    if (first_tensor[batch] == invalid_entry)
-      for (unsigned int q = 0; q < n_points<dim>; ++q)
-        u.submit_gradient(u.get_gradient(q), q);
-    else
-      for (unsigned int q = 0; q < n_points<dim>; ++q)
-        u.submit_gradient(tensors[first_tensor[batch] + q] * u.get_gradient(q), q);
+    for (unsigned int q = 0; q < n_points<dim>; ++q)
+      u.submit_gradient(whole * u.get_gradient(q), q);
     u.integrate(dealii::EvaluationFlags::gradients);
 
+    if (has_medium)
+      for (unsigned int i = 0; i < n_cell_dofs; ++i)
+        u.begin_dof_values()[i] += octants.begin_dof_values()[i];
     if (has_boundary)
       for (unsigned int i = 0; i < n_cell_dofs; ++i)
         u.begin_dof_values()[i] += boundary_part[i];
@@ -145,13 +174,14 @@ namespace magmpm
              const VectorType &values,
              const std::pair<unsigned int, unsigned int> &range) {
         Evaluation u(cells);
+        OctantEvaluation octants(cells, 0, 1);
         for (unsigned int batch = range.first; batch < range.second; ++batch)
           {
             if (edge_only && !is_at_edge[batch])
               continue;
             u.reinit(batch);
             u.read_dof_values(values);
-            apply_to_cell(u);
+            apply_to_cell(u, octants);
             u.distribute_local_to_global(result);
           }
       },
@@ -207,41 +237,42 @@ namespace magmpm
 
   template <int dim, typename Number>
   void
-  EllipticOperator<dim, Number>::cell_diagonal(const Evaluation &u, Lanes *diagonal) const
+  EllipticOperator<dim, Number>::cell_diagonal(const Evaluation &u,
+                                               OctantEvaluation &octants,
+                                               Lanes *diagonal) const
   {
-    constexpr unsigned int n = n_points_1d;
-    static_assert(n == potential_degree + 1, "contractions are done in place");
-
-    // Of two shape functions or derivatives in one dimension, by the number of derivatives.
-    const auto &shape = u.get_shape_info().data[0];
-    Lanes products[3][n * n];
-    for (unsigned int i = 0; i < n * n; ++i)
-      {
-        products[0][i] = shape.shape_values[i] * shape.shape_values[i];
-        products[1][i] = shape.shape_values[i] * shape.shape_gradients[i];
-        products[2][i] = shape.shape_gradients[i] * shape.shape_gradients[i];
-      }
-
     const unsigned int batch = u.get_current_cell_index();
-    const bool is_vacuum     = first_tensor[batch] == invalid_entry;
+    const bool has_medium    = media[batch] != invalid_entry;
     std::fill_n(diagonal, n_cell_dofs, Lanes(Number(0.)));
+    // Cells are cubes: the inverse Jacobian is a number.
     for (unsigned int a = 0; a < dim; ++a)
-      for (unsigned int b = is_vacuum ? a : 0; b <= a; ++b)
-        {
-          Lanes values[n_points<dim>];
-          for (unsigned int q = 0; q < n_points<dim>; ++q)
+      {
+        Lanes values[n_points<dim>];
+        for (unsigned int q = 0; q < n_points<dim>; ++q)
+          {
+            values[q] = u.JxW(q) * (u.inverse_jacobian(q)[a][a] * u.inverse_jacobian(q)[a][a]);
+            if (has_medium)
+              values[q] *= coefficients[media[batch]].whole;
+          }
+        add_diagonal<dim, n_points_1d>(u, a, a, values, diagonal);
+      }
+    if (has_medium)
+      {
+        octants.reinit(batch);
+        for (unsigned int a = 0; a < dim; ++a)
+          for (unsigned int b = 0; b <= a; ++b)
             {
-              const auto inverse_jacobian = u.inverse_jacobian(q); // cells are cubes
-              values[q]                   = Number(a == b ? 1. : 2.) * u.JxW(q) *
-                          (inverse_jacobian[a][a] * inverse_jacobian[b][b]);
-              if (!is_vacuum)
-                values[q] *= tensors[first_tensor[batch] + q][a][b];
+              Lanes values[n_octants<dim>];
+              for (unsigned int q = 0; q < n_octants<dim>; ++q)
+                {
+                  const auto inverse_jacobian = octants.inverse_jacobian(q);
+                  values[q]                   = Number(a == b ? 1. : 2.) * octants.JxW(q) *
+                              (inverse_jacobian[a][a] * inverse_jacobian[b][b]) *
+                              coefficients[media[batch]].octants[q][a][b];
+                }
+              add_diagonal<dim, n_octants_1d>(octants, a, b, values, diagonal);
             }
-          for (unsigned int axis = 0, stride = 1; axis < dim; ++axis, stride *= n)
-            contract(products[(axis == a) + (axis == b)], stride, values);
-          for (unsigned int i = 0; i < n_cell_dofs; ++i)
-            diagonal[i] += values[i];
-        }
+      }
     if (first_matrix[batch] != invalid_entry)
       for (unsigned int i = 0; i < n_cell_dofs; ++i)
         diagonal[i] += matrices[first_matrix[batch] + i * (n_cell_dofs + 1)];
@@ -256,17 +287,18 @@ namespace magmpm
     VectorType &diagonal                  = this->inverse_diagonal_entries->get_vector();
     cells.initialize_dof_vector(diagonal);
     Evaluation u(cells);
+    OctantEvaluation octants(cells, 0, 1);
     if (cells.get_mg_level() == dealii::numbers::invalid_unsigned_int)
       // Beside hanging nodes it takes the whole element matrix.
       dealii::MatrixFreeTools::
         compute_diagonal<dim, potential_degree, n_points_1d, 1, Number, Lanes, VectorType>(
-          cells, diagonal, [this](Evaluation &u) { apply_to_cell(u); });
+          cells, diagonal, [this, &octants](Evaluation &u) { apply_to_cell(u, octants); });
     else
       {
         for (unsigned int batch = 0; batch < cells.n_cell_batches(); ++batch)
           {
             u.reinit(batch);
-            cell_diagonal(u, u.begin_dof_values());
+            cell_diagonal(u, octants, u.begin_dof_values());
             u.distribute_local_to_global(diagonal);
           }
         diagonal.compress(dealii::VectorOperation::add);

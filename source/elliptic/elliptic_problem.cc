@@ -8,6 +8,7 @@
 #include <magmpm/elliptic/rebuild_rule.h>
 #include <magmpm/elliptic/starting_guess.h>
 #include <magmpm/parallel/phase_timer.h>
+#include <magmpm/parallel/reduce.h>
 
 namespace magmpm
 {
@@ -37,6 +38,19 @@ namespace magmpm
                      const double relative_tolerance,
                      PotentialVector &step) override;
 
+    /** Whether Newton's method is better not started from a potential of zero. Collective. */
+    bool
+    is_stiff() const;
+
+    /**
+     * From a potential of zero to that of weak fields, roughly, if the residual is less there.
+     *
+     * @param residual_vector  that of the start, before and after.
+     * @return iterations of CG.
+     */
+    int
+    start_in_weak_field(PotentialVector &potential, PotentialVector &residual_vector);
+
     LinearSolveResult
     run_cg(const PotentialVector &right_hand_side, const double tolerance, PotentialVector &step);
 
@@ -59,6 +73,7 @@ namespace magmpm
     unsigned int revision = 0; ///< of the mesh
     std::unique_ptr<OpenBoundary<dim>> boundary;
     const EllipticMedium<dim> *medium = nullptr; ///< in this solve
+    MediumResponse response           = MediumResponse::full;
     EllipticResidual<dim> residual;
     EllipticOperator<dim, double> jacobian;
     std::unique_ptr<EllipticSolver<dim>> solver;
@@ -93,7 +108,7 @@ namespace magmpm
                                                  PotentialVector &result)
   {
     const parallel::PhaseTimer::Scope section(timer, "Solve potential: residual");
-    residual.evaluate(*solution.space, *medium, jacobian, potential, result);
+    residual.evaluate(*solution.space, *medium, response, jacobian, potential, result);
   }
 
   template <int dim>
@@ -163,6 +178,34 @@ namespace magmpm
   }
 
   template <int dim>
+  bool
+  EllipticProblem<dim>::Implementation::is_stiff() const
+  {
+    constexpr double stiff = 5.; // below, two to four steps of Newton's method do from zero as well
+    return !medium->is_linear() &&
+           parallel::max(medium->largest_weak_tangent(), mesh.communicator()) > stiff;
+  }
+
+  template <int dim>
+  int
+  EllipticProblem<dim>::Implementation::start_in_weak_field(PotentialVector &potential,
+                                                            PotentialVector &residual_vector)
+  {
+    const double zero_residual = residual_vector.l2_norm();
+    response                   = MediumResponse::weak_field;
+    evaluate(potential, residual_vector);
+    const int n_iterations = solve_linearized(residual_vector, 0.1, potential);
+    response               = MediumResponse::full;
+    evaluate(potential, residual_vector);
+    if (!(residual_vector.l2_norm() < zero_residual))
+      {
+        potential = 0.;
+        evaluate(potential, residual_vector);
+      }
+    return n_iterations;
+  }
+
+  template <int dim>
   EllipticProblem<dim>::EllipticProblem(const BackgroundMesh<dim> &mesh,
                                         const EllipticParameters &parameters,
                                         const std::string &unknown,
@@ -226,21 +269,33 @@ namespace magmpm
     problem.has_rebuilt        = false;
     problem.start.put_into(potential);
 
-    // The tolerance refers to the residual at zero potential, however good the start is.
+    // The tolerance refers to the residual at zero potential, however good the start is. One that is
+    // worse than zero is none: Newton's method takes twice as long from there.
     EllipticReport report;
-    PotentialVector zero = problem.solution.space->make_vector(), residual(zero);
+    const PotentialVector zero = problem.solution.space->make_vector();
+    PotentialVector residual(zero);
     problem.evaluate(zero, residual);
     report.zero_residual = residual.l2_norm();
-    if (report.zero_residual == 0.)
-      potential = 0.;
+    bool is_from_zero    = potential.all_zero();
+    if (!is_from_zero)
+      problem.evaluate(potential, residual);
+    if (!is_from_zero && !(residual.l2_norm() < report.zero_residual))
+      {
+        is_from_zero = true;
+        potential    = 0.;
+        problem.evaluate(potential, residual);
+      }
 
     NewtonParameters newton;
     newton.tolerance              = problem.parameters.newton_tolerance * report.zero_residual;
     newton.max_steps              = problem.parameters.max_newton_steps;
     newton.is_linear              = medium.is_linear();
     newton.residual_without_start = report.zero_residual;
-    report.newton                 = damped_newton<PotentialVector>(
-      problem, newton, potential, potential.all_zero() ? &residual : nullptr);
+    int n_iterations_of_start     = 0;
+    if (is_from_zero && report.zero_residual > 0. && problem.is_stiff())
+      n_iterations_of_start = problem.start_in_weak_field(potential, residual);
+    report.newton = damped_newton<PotentialVector>(problem, newton, potential, &residual);
+    report.newton.linear_iterations += n_iterations_of_start;
     problem.start.record(potential);
 
     report.preconditioner_rebuilt = problem.has_rebuilt;
@@ -253,7 +308,9 @@ namespace magmpm
   void
   EllipticProblem<dim>::for_gradients(
     const std::function<bool(const unsigned int)> &is_wanted,
-    const std::function<void(const unsigned int, const PointVectors<dim> &)> &action) const
+    const std::function<
+      void(const unsigned int, const PointVectors<dim> &, const OctantVectors<dim> &)> &action)
+    const
   {
     const EllipticSpace<dim> &space  = *implementation->solution.space;
     const PotentialVector &potential = implementation->solution.potential;
@@ -261,7 +318,9 @@ namespace magmpm
 
     potential.update_ghost_values();
     typename EllipticOperator<dim, double>::Evaluation phi(cells);
-    PointVectors<dim> gradients;
+    typename EllipticOperator<dim, double>::OctantEvaluation octants(cells, 0, 1);
+    PointVectors<dim> at_points;
+    OctantVectors<dim> in_octants;
     for (unsigned int batch = 0; batch < cells.n_cell_batches(); ++batch)
       {
         bool is_evaluated = false;
@@ -274,13 +333,18 @@ namespace magmpm
               {
                 phi.reinit(batch);
                 phi.read_dof_values(potential);
+                octants.reinit(batch);
+                octants.evaluate(phi.begin_dof_values(), dealii::EvaluationFlags::gradients);
                 phi.evaluate(dealii::EvaluationFlags::gradients);
                 is_evaluated = true;
               }
             for (int q = 0; q < n_points<dim>; ++q)
               for (int d = 0; d < dim; ++d)
-                gradients[q][d] = phi.get_gradient(q)[d][lane];
-            action(cell, gradients);
+                at_points[q][d] = phi.get_gradient(q)[d][lane];
+            for (int q = 0; q < n_octants<dim>; ++q)
+              for (int d = 0; d < dim; ++d)
+                in_octants[q][d] = octants.get_gradient(q)[d][lane];
+            action(cell, at_points, in_octants);
           }
       }
     potential.zero_out_ghost_values();

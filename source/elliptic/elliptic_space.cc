@@ -2,10 +2,31 @@
 #include <deal.II/dofs/dof_tools.h>
 
 #include <magmpm/elliptic/elliptic_space.h>
-#include <magmpm/lattice/cell_stencil.h>
+#include <magmpm/lattice/cell_quadrature.h>
 
 namespace magmpm
 {
+  template <int dim, typename Number>
+  std::shared_ptr<const CellBatches<dim, Number>>
+  make_cell_batches(const dealii::Mapping<dim> &mapping,
+                    const dealii::DoFHandler<dim> &dof_handler,
+                    const dealii::AffineConstraints<double> &constraints,
+                    const unsigned int level)
+  {
+    typename CellBatches<dim, Number>::AdditionalData data;
+    data.tasks_parallel_scheme = CellBatches<dim, Number>::AdditionalData::none;
+    data.mapping_update_flags  = dealii::update_gradients | dealii::update_JxW_values;
+    data.mg_level              = level;
+    auto cells                 = std::make_shared<CellBatches<dim, Number>>();
+    // As lists: of one space, several rules would be alternatives.
+    const std::vector<const dealii::DoFHandler<dim> *> spaces               = {&dof_handler};
+    const std::vector<const dealii::AffineConstraints<double> *> conditions = {&constraints};
+    const std::vector<dealii::QGauss<1>> rules = {dealii::QGauss<1>(n_points_1d),
+                                                  dealii::QGauss<1>(n_octants_1d)};
+    cells->reinit(mapping, spaces, conditions, rules, data);
+    return cells;
+  }
+
   template <int dim>
   EllipticSpace<dim>::EllipticSpace(const BackgroundMesh<dim> &mesh, const bool with_levels)
     : mesh(mesh)
@@ -20,20 +41,9 @@ namespace magmpm
     dealii::DoFTools::make_hanging_node_constraints(dof_handler, constraints);
     constraints.close();
 
-    set_up_matrix_free();
+    matrix_free = make_cell_batches<dim, double>(
+      mapping, dof_handler, constraints, dealii::numbers::invalid_unsigned_int);
     find_lattice_cells();
-  }
-
-  template <int dim>
-  void
-  EllipticSpace<dim>::set_up_matrix_free()
-  {
-    typename CellBatches<dim, double>::AdditionalData data;
-    data.tasks_parallel_scheme = CellBatches<dim, double>::AdditionalData::none;
-    data.mapping_update_flags  = dealii::update_gradients | dealii::update_JxW_values;
-    auto storage               = std::make_shared<CellBatches<dim, double>>();
-    storage->reinit(mapping, dof_handler, constraints, dealii::QGauss<1>(n_points_1d), data);
-    matrix_free = storage;
   }
 
   template <int dim>
@@ -100,6 +110,20 @@ namespace magmpm
     return copy;
   }
 
-  template class EllipticSpace<2>;
-  template class EllipticSpace<3>;
+#define INSTANTIATE_BATCHES(dim, Number)                                                   \
+  template std::shared_ptr<const CellBatches<dim, Number>> make_cell_batches<dim, Number>( \
+    const dealii::Mapping<dim> &,                                                          \
+    const dealii::DoFHandler<dim> &,                                                       \
+    const dealii::AffineConstraints<double> &,                                             \
+    const unsigned int);
+
+#define INSTANTIATE(dim)             \
+  template class EllipticSpace<dim>; \
+  INSTANTIATE_BATCHES(dim, double)   \
+  INSTANTIATE_BATCHES(dim, float)
+
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+#undef INSTANTIATE_BATCHES
 } // namespace magmpm

@@ -4,7 +4,7 @@
 #include <deal.II/lac/sparsity_tools.h>
 
 #include <magmpm/elliptic/jacobian_assembler.h>
-#include <magmpm/lattice/cell_stencil.h>
+#include <magmpm/lattice/cell_quadrature.h>
 
 namespace magmpm
 {
@@ -12,17 +12,20 @@ namespace magmpm
   JacobianAssembler<dim>::JacobianAssembler(const EllipticSpace<dim> &space)
     : space(space)
     , n_dofs(space.fe.n_dofs_per_cell())
-    , quadrature(dealii::QGauss<dim>(n_points_1d))
+    , octants(dealii::QGauss<dim>(n_octants_1d))
     , lexicographic(dealii::FETools::lexicographic_to_hierarchic_numbering<dim>(potential_degree))
-    , gradients(quadrature.size() * n_dofs)
+    , gradients(octants.size() * n_dofs)
     , vacuum(n_dofs, n_dofs)
   {
+    for (unsigned int q = 0; q < octants.size(); ++q)
+      for (unsigned int i = 0; i < n_dofs; ++i)
+        gradients[q * n_dofs + i] = space.fe.shape_grad(i, octants.point(q));
+    const dealii::QGauss<dim> quadrature(n_points_1d);
     for (unsigned int q = 0; q < quadrature.size(); ++q)
       for (unsigned int i = 0; i < n_dofs; ++i)
-        gradients[q * n_dofs + i] = space.fe.shape_grad(i, quadrature.point(q));
-    const std::vector<dealii::SymmetricTensor<2, dim>> identity(
-      quadrature.size(), dealii::unit_symmetric_tensor<dim>());
-    integrate(identity.data(), 1., vacuum);
+        for (unsigned int j = 0; j < n_dofs; ++j)
+          vacuum(i, j) += quadrature.weight(q) * space.fe.shape_grad(i, quadrature.point(q)) *
+                          space.fe.shape_grad(j, quadrature.point(q));
   }
 
   template <int dim>
@@ -45,12 +48,11 @@ namespace magmpm
                                   dealii::FullMatrix<double> &matrix) const
   {
     const double scaling = std::pow(cell->extent_in_direction(0), dim - 2);
-    const dealii::SymmetricTensor<2, dim> *coefficient =
+    const CellCoefficient<dim> *coefficient =
       jacobian.coefficient(space.lattice_cell_of_active_cell[cell->active_cell_index()]);
+    matrix.equ(coefficient == nullptr ? scaling : coefficient->whole * scaling, vacuum);
     if (coefficient != nullptr)
-      integrate(coefficient, scaling, matrix);
-    else
-      matrix.equ(scaling, vacuum);
+      add_octants(*coefficient, scaling, matrix);
 
     dealii::FullMatrix<double> boundary_matrix;
     if (jacobian.boundary.element_matrix(cell, boundary_matrix))
@@ -61,22 +63,18 @@ namespace magmpm
 
   template <int dim>
   void
-  JacobianAssembler<dim>::integrate(const dealii::SymmetricTensor<2, dim> *coefficient,
-                                    const double scaling,
-                                    dealii::FullMatrix<double> &matrix) const
+  JacobianAssembler<dim>::add_octants(const CellCoefficient<dim> &coefficient,
+                                      const double scaling,
+                                      dealii::FullMatrix<double> &matrix) const
   {
-    matrix = 0.;
-    for (unsigned int q = 0; q < quadrature.size(); ++q)
+    for (unsigned int q = 0; q < octants.size(); ++q)
       for (unsigned int i = 0; i < n_dofs; ++i)
         {
-          const dealii::Tensor<1, dim> flux = scaling * quadrature.weight(q) *
-                                              (coefficient[q] * gradients[q * n_dofs + i]);
-          for (unsigned int j = 0; j <= i; ++j)
+          const dealii::Tensor<1, dim> flux = scaling * octants.weight(q) *
+                                              (coefficient.octants[q] * gradients[q * n_dofs + i]);
+          for (unsigned int j = 0; j < n_dofs; ++j)
             matrix(i, j) += flux * gradients[q * n_dofs + j];
         }
-    for (unsigned int i = 0; i < n_dofs; ++i)
-      for (unsigned int j = 0; j < i; ++j)
-        matrix(j, i) = matrix(i, j);
   }
 
   template class JacobianAssembler<2>;

@@ -1,4 +1,3 @@
-#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/lac/precondition.h>
 #include <deal.II/multigrid/mg_coarse.h>
@@ -23,27 +22,24 @@ namespace magmpm
     using LevelCell = typename dealii::Triangulation<dim>::cell_iterator;
 
     /**
-     * K at the points of the cells of all levels. A point of a cell with children stands for two
-     * of the six points of its children along each axis, and has half their arithmetic and half their
-     * harmonic mean, weighted: surfaces stay where they are on all levels, which one mean for all points
-     * of a cell would blur. Cells without an entry are vacuum.
+     * The coefficient of the cells of all levels. An octant of a cell with children is one of these, and
+     * has half the arithmetic and half the harmonic mean of that child's K: surfaces stay where they are on
+     * all levels, which one mean for a whole cell would blur. Of stabilization it has the least of its
+     * children. Cells without an entry are vacuum.
      */
     template <int dim>
     class LevelCoefficient
     {
     public:
-      using Tensor  = dealii::SymmetricTensor<2, dim>;
-      using Tensors = std::vector<Tensor>; ///< at the points of a cell
-
       LevelCoefficient(const EllipticSpace<dim> &space, const JacobianData<dim> &jacobian)
         : space(space)
         , cells(space.mesh.triangulation().n_global_levels())
       {
         for (const auto &cell : space.mesh.triangulation().active_cell_iterators())
           if (cell->is_locally_owned())
-            if (const Tensor *values = jacobian.coefficient(
+            if (const CellCoefficient<dim> *of_cell = jacobian.coefficient(
                   space.lattice_cell_of_active_cell[cell->active_cell_index()]))
-              cells[cell->level()][cell->index()] = Tensors(values, values + n_points<dim>);
+              cells[cell->level()][cell->index()] = *of_cell;
         for (int level = static_cast<int>(cells.size()) - 2; level >= 0; --level)
           {
             exchange(level + 1);
@@ -51,78 +47,83 @@ namespace magmpm
           }
       }
 
-      /** The tensors at the points of a cell of this rank, or a null pointer for vacuum. */
-      const Tensor *
+      /** That of a cell of this rank, or a null pointer for vacuum. */
+      const CellCoefficient<dim> *
       operator()(const LevelCell<dim> &cell) const
       {
         const auto found = cells[cell->level()].find(cell->index());
-        return found == cells[cell->level()].end() ? nullptr : found->second.data();
+        return found == cells[cell->level()].end() ? nullptr : &found->second;
       }
 
     private:
+      using Tensor = dealii::SymmetricTensor<2, dim>;
+
       const EllipticSpace<dim> &space;
-      std::vector<std::map<int, Tensors>> cells; ///< by level and cell index
+      std::vector<std::map<int, CellCoefficient<dim>>> cells; ///< by level and cell index
 
       void
       average_children(const int level)
       {
+        const CellCoefficient<dim> vacuum = {};
         for (const auto &cell : space.mesh.triangulation().cell_iterators_on_level(level))
           if (cell->has_children() && cell->is_locally_owned_on_level())
             {
-              std::array<const Tensor *, power(2, dim)> children;
+              bool is_vacuum = true;
+              std::array<const CellCoefficient<dim> *, n_octants<dim>> children;
               for (unsigned int c = 0; c < children.size(); ++c)
-                children[c] = (*this)(cell->child(c));
-              if (std::all_of(children.begin(), children.end(), [](const Tensor *child) {
-                    return child == nullptr;
-                  }))
-                continue;
-              Tensors &tensors = cells[level][cell->index()];
-              tensors.resize(n_points<dim>);
-              for (int q = 0; q < n_points<dim>; ++q)
-                tensors[q] = mean_at(q, children);
+                {
+                  children[c] = (*this)(cell->child(c));
+                  is_vacuum   = is_vacuum && children[c] == nullptr;
+                  children[c] = children[c] == nullptr ? &vacuum : children[c];
+                }
+              if (!is_vacuum)
+                cells[level][cell->index()] = parent(children);
             }
       }
 
-      /** Along an axis, point p of a cell stands for points 2 p and 2 p + 1 of its children. */
-      static Tensor
-      mean_at(const int point, const std::array<const Tensor *, power(2, dim)> &children)
+      static CellCoefficient<dim>
+      parent(const std::array<const CellCoefficient<dim> *, n_octants<dim>> &children)
       {
-        Tensor sum, inverse_sum;
-        double total = 0.;
-        for (int part = 0; part < power(2, dim); ++part)
-          {
-            double weight = 1.;
-            int child = 0, point_of_child = 0;
-            for (int d = 0, rest = point; d < dim; ++d, rest /= n_points_1d)
-              {
-                const int fine = 2 * (rest % n_points_1d) + ((part >> d) & 1);
-                child += (fine / n_points_1d) << d;
-                point_of_child += power(n_points_1d, d) * (fine % n_points_1d);
-                weight *= CellStencil<dim>::weights_1d[fine % n_points_1d];
-              }
-            const Tensor tensor = children[child] == nullptr ? dealii::unit_symmetric_tensor<dim>()
-                                                             : children[child][point_of_child];
-            sum += weight * tensor;
-            inverse_sum += weight * invert(tensor);
-            total += weight;
-          }
-        return 0.5 * (sum / total + total * invert(inverse_sum));
+        CellCoefficient<dim> result;
+        result.whole = children[0]->whole;
+        for (const CellCoefficient<dim> *child : children)
+          result.whole = std::min(result.whole, child->whole);
+        for (unsigned int c = 0; c < children.size(); ++c)
+          result.octants[c] = mean(*children[c]) -
+                              result.whole * dealii::unit_symmetric_tensor<dim>();
+        return result;
       }
 
-      /** Gives other ranks the tensors of this level on their level ghosts. Collective. */
+      /** Of K in a cell. */
+      static Tensor
+      mean(const CellCoefficient<dim> &coefficient)
+      {
+        constexpr double weight = 1. / n_octants<dim>;
+        Tensor arithmetic, inverse;
+        for (const Tensor &octant : coefficient.octants)
+          {
+            const Tensor k = coefficient.whole * dealii::unit_symmetric_tensor<dim>() + octant;
+            arithmetic += weight * k;
+            inverse += weight * invert(k);
+          }
+        return 0.5 * (arithmetic + invert(inverse));
+      }
+
+      /** Gives other ranks the coefficients of this level on their level ghosts. Collective. */
       void
       exchange(const int level)
       {
-        std::map<int, Tensors> &of_level = cells[level];
-        dealii::GridTools::exchange_cell_data_to_level_ghosts<Tensors>(
+        using Coefficient                    = CellCoefficient<dim>;
+        std::map<int, Coefficient> &of_level = cells[level];
+        dealii::GridTools::exchange_cell_data_to_level_ghosts<Coefficient>(
           space.mesh.triangulation(),
           [&of_level](const LevelCell<dim> &cell) {
             const auto found = of_level.find(cell->index());
-            return found == of_level.end() ? std::optional<Tensors>()
-                                           : std::optional<Tensors>(found->second);
+            return found == of_level.end() ? std::optional<Coefficient>()
+                                           : std::optional<Coefficient>(found->second);
           },
-          [&of_level](const LevelCell<dim> &cell, const Tensors &tensors) {
-            of_level[cell->index()] = tensors;
+          [&of_level](const LevelCell<dim> &cell, const Coefficient &coefficient) {
+            of_level[cell->index()] = coefficient;
           },
           [level](const LevelCell<dim> &cell) { return cell->level() == level; });
       }
@@ -210,13 +211,8 @@ namespace magmpm
         dealii::AffineConstraints<double> no_constraints;
         no_constraints.close();
 
-        typename CellBatches<dim, float>::AdditionalData data;
-        data.tasks_parallel_scheme = CellBatches<dim, float>::AdditionalData::none;
-        data.mapping_update_flags  = dealii::update_gradients | dealii::update_JxW_values;
-        data.mg_level              = level;
-        auto cells                 = std::make_shared<CellBatches<dim, float>>();
-        cells->reinit(
-          space.mapping, space.dof_handler, no_constraints, dealii::QGauss<1>(n_points_1d), data);
+        const auto cells =
+          make_cell_batches<dim, float>(space.mapping, space.dof_handler, no_constraints, level);
         operators[level].initialize_level(cells, constraints, level);
         interfaces[level].initialize(operators[level]);
       }

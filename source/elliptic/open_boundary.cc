@@ -1,5 +1,5 @@
 #include <magmpm/elliptic/open_boundary.h>
-#include <magmpm/lattice/cell_stencil.h>
+#include <magmpm/lattice/cell_quadrature.h>
 
 namespace magmpm
 {
@@ -86,8 +86,8 @@ namespace magmpm
             unit_point[d] = side;
             if (d != axis)
               {
-                unit_point[d] = 0.5 * CellStencil<dim>::points_1d[rest % n_points_1d];
-                weight *= 0.5 * edge * CellStencil<dim>::weights_1d[rest % n_points_1d];
+                unit_point[d] = 0.5 * CellRule<n_points_1d>::points[rest % n_points_1d];
+                weight *= 0.5 * edge * CellRule<n_points_1d>::weights[rest % n_points_1d];
                 rest /= n_points_1d;
               }
             point[d] = cell->vertex(0)[d] + edge * unit_point[d];

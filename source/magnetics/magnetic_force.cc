@@ -28,10 +28,15 @@ namespace magmpm
       return matrix;
     }
 
-    /**
-     * Calls action(lattice cell, h = -grad phi at its points) for the lattice cells of this rank that lie
-     * in owned active blocks.
-     */
+    /** h = -grad phi, at the points of QGauss(3) and in the octants. */
+    template <int dim>
+    struct SelfField
+    {
+      PointVectors<dim> at_points;
+      OctantVectors<dim> in_octants;
+    };
+
+    /** Calls action(lattice cell, h) for the lattice cells of this rank that lie in owned active blocks. */
     template <int dim, typename Action>
     void
     for_active_cells(const EllipticProblem<dim> &potential,
@@ -40,12 +45,37 @@ namespace magmpm
     {
       potential.for_gradients(
         [&](const unsigned int cell) { return material.cells().is_active(cell); },
-        [&](const unsigned int cell, const PointVectors<dim> &gradients) {
-          PointVectors<dim> self_field;
+        [&](const unsigned int cell,
+            const PointVectors<dim> &at_points,
+            const OctantVectors<dim> &in_octants) {
+          SelfField<dim> h;
           for (int q = 0; q < n_points<dim>; ++q)
-            self_field[q] = -1. * gradients[q];
-          action(cell, self_field);
+            h.at_points[q] = -1. * at_points[q];
+          for (int q = 0; q < n_octants<dim>; ++q)
+            h.in_octants[q] = -1. * in_octants[q];
+          action(cell, h);
         });
+    }
+
+    /**
+     * Calls action(octant, its point, batch, lane of the batch) for the points of a cell with material.
+     */
+    template <int dim, typename Action>
+    void
+    for_octants(const MaterialPoints<dim> &material,
+                const unsigned int cell,
+                const SelfField<dim> &h,
+                const Action &action)
+    {
+      const unsigned int first_point = material.first_point(cell);
+      if (first_point != material.none)
+        material.for_batches(
+          first_point,
+          [&](const int octant) { return h.in_octants[octant]; },
+          [&](const int first, const int n, const auto &batch) {
+            for (int lane = 0; lane < n; ++lane)
+              action(first + lane, first_point + first + lane, batch, lane);
+          });
     }
 
     /** h (x) h - |h|^2/2 I [A^2/m^2]. */
@@ -57,65 +87,91 @@ namespace magmpm
     }
 
     /**
-     * h (x) (h + M) - |h|^2/2 I [A^2/m^2]: the first index is that of the force. The mean over the phases
-     * of a laminate, each with the fields of that phase.
+     * What material adds to the stress of the vacuum, h (x) (h + M) - |h|^2/2 I [A^2/m^2]: the first index
+     * is that of the force. The mean over the phases of a laminate, each with the fields of that phase.
      */
     template <int dim, typename Number>
     Matrix<dim, Number>
-    laminate_stress(const Vector<dim, Number> &h,
+    material_stress(const Vector<dim, Number> &h,
                     const LaminateResponse<dim, Number> &medium,
                     const Number &fraction)
     {
       const Vector<dim, Number> inside  = h + (1. - fraction) * medium.jump;
       const Vector<dim, Number> outside = h - fraction * medium.jump;
       return fraction * vacuum_stress(inside) + outer(inside, medium.mean.magnetization) +
-             (1. - fraction) * vacuum_stress(outside);
+             (1. - fraction) * vacuum_stress(outside) + (-1.) * vacuum_stress(h);
     }
 
-    /** What is tested by dN_i/dx_axis, by axis, and what is tested by N_i. */
-    template <int dim>
-    struct PointForces
+    /** What is tested by dN_i/dx_axis at the points of a rule, by axis. */
+    template <int dim, int n>
+    struct TestedStress
     {
-      std::array<PointValues<dim>, dim> stress = {};
-      PointValues<dim> body                    = {};
+      std::array<PointValues<dim, n>, dim> columns = {};
 
       void
-      set_stress(const int q, const double factor, const Matrix<dim> &tensor)
+      set(const int q, const double factor, const Matrix<dim> &tensor)
       {
         for (int axis = 0; axis < dim; ++axis)
           {
             Vector<dim> column;
             for (int d = 0; d < dim; ++d)
               column[d] = factor * tensor(d, axis);
-            stress[axis].set(SingleVector::value, q, column);
+            columns[axis].set(SingleVector::value, q, column);
           }
+      }
+
+      void
+      add_to(const CellQuadrature<dim, n> &rule, StencilValues<dim> &nodes) const
+      {
+        for (int axis = 0; axis < dim; ++axis)
+          rule.add_tested_by_derivative(columns[axis], axis, nodes);
       }
     };
 
-    /** The forces at the points of a cell with material, ready to be tested. */
+    /** The part of the vacuum in the force on the nodes around a cell. */
     template <int dim>
     void
-    set_forces(const MaterialPoints<dim> &material,
-               const unsigned int first_point,
-               const PointVectors<dim> &self_field,
-               const double inverse_spacing,
-               PointForces<dim> &forces)
+    add_vacuum_force(const CellQuadrature<dim, n_points_1d> &rule,
+                     const double inverse_spacing,
+                     const SelfField<dim> &h,
+                     StencilValues<dim> &nodes)
     {
-      material.for_batches(
-        first_point,
-        [&](const int q) { return self_field[q]; },
-        [&](const int first, const int n, const auto &batch) {
-          const auto tensors = laminate_stress(batch.self_field, batch.response, batch.fraction);
-          for (int lane = 0; lane < n; ++lane)
-            {
-              const int q         = first + lane;
-              const double weight = constants::vacuum_permeability * material.cells().weight(q);
-              forces.set_stress(q, -weight * inverse_spacing, lane_of(tensors, lane));
-              const Vector<dim> density = material.source_gradient(first_point + q) *
-                                          lane_of(batch.response.mean.magnetization, lane);
-              forces.body.set(SingleVector::value, q, weight * density);
-            }
+      TestedStress<dim, n_points_1d> stress;
+      for (int q = 0; q < n_points<dim>; ++q)
+        stress.set(q,
+                   -constants::vacuum_permeability * rule.weight(q) * inverse_spacing,
+                   vacuum_stress(h.at_points[q]));
+      stress.add_to(rule, nodes);
+    }
+
+    /** What material adds to it. */
+    template <int dim>
+    void
+    add_material_force(const MaterialPoints<dim> &material,
+                       const unsigned int cell,
+                       const SelfField<dim> &h,
+                       StencilValues<dim> &nodes)
+    {
+      const double inverse_spacing = 1. / material.cells().spacing();
+      TestedStress<dim, n_octants_1d> stress;
+      PointValues<dim, n_octants_1d> body = {};
+      for_octants(
+        material,
+        cell,
+        h,
+        [&](const int octant, const unsigned int point, const auto &batch, const int lane) {
+          const double weight = constants::vacuum_permeability *
+                                material.quadrature().weight(octant);
+          stress.set(octant,
+                     -weight * inverse_spacing,
+                     lane_of(material_stress(batch.self_field, batch.response, batch.fraction),
+                             lane));
+          const Vector<dim> density = material.source_gradient(point) *
+                                      lane_of(batch.response.mean.magnetization, lane);
+          body.set(SingleVector::value, octant, weight * density);
         });
+      stress.add_to(material.quadrature(), nodes);
+      material.quadrature().add_tested(body, nodes);
     }
 
     /** H in the material phase: the sources' and the material's own [A/m]. */
@@ -168,30 +224,17 @@ namespace magmpm
                       const BlockPartition<dim> &partition,
                       NodeField<dim, SingleVector> &force)
   {
-    const BlockSet<dim> &blocks     = partition.blocks();
-    const double inverse_spacing    = 1. / material.cells().spacing();
-    const CellStencil<dim> &stencil = material.cells().stencil();
+    const BlockSet<dim> &blocks = partition.blocks();
+    const auto vacuum_rule      = material.cells().template quadrature<n_points_1d>();
     force.reinit(blocks.size());
 
-    for_active_cells(
-      potential, material, [&](const unsigned int cell, const PointVectors<dim> &self_field) {
-        PointForces<dim> forces;
-        const unsigned int first = material.first_point(cell);
-        if (first != material.none)
-          set_forces(material, first, self_field, inverse_spacing, forces);
-        else
-          for (int q = 0; q < n_points<dim>; ++q)
-            forces.set_stress(q,
-                              -constants::vacuum_permeability * material.cells().weight(q) *
-                                inverse_spacing,
-                              vacuum_stress(self_field[q]));
-        StencilValues<dim> nodes = {};
-        for (int axis = 0; axis < dim; ++axis)
-          stencil.add_tested_by_derivative(forces.stress[axis], axis, nodes);
-        if (first != material.none)
-          stencil.add_tested(forces.body, nodes);
-        material.cells().scatter_add(nodes, cell, force);
-      });
+    for_active_cells(potential, material, [&](const unsigned int cell, const SelfField<dim> &h) {
+      StencilValues<dim> nodes = {};
+      add_vacuum_force(vacuum_rule, 1. / material.cells().spacing(), h, nodes);
+      if (material.first_point(cell) != material.none)
+        add_material_force(material, cell, h, nodes);
+      material.cells().scatter_add(nodes, cell, force);
+    });
 
     partition.add_ghosts_to_owners(force);
     for_nodes(blocks, [&](const int slot, const int node) {
@@ -207,34 +250,27 @@ namespace magmpm
                          const BlockPartition<dim> &partition,
                          NodeField<dim, SingleVector> &field)
   {
-    const BlockSet<dim> &blocks     = partition.blocks();
-    const CellStencil<dim> &stencil = material.cells().stencil();
+    const BlockSet<dim> &blocks = partition.blocks();
     NodeField<dim, WeightedField> sums(blocks.size());
-    for_active_cells(
-      potential, material, [&](const unsigned int cell, const PointVectors<dim> &self_field) {
-        const unsigned int first = material.first_point(cell);
-        if (first == material.none)
-          return;
-        PointValues<dim> values = {};
-        material.for_batches(
-          first,
-          [&](const int q) { return self_field[q]; },
-          [&](const int first_of_batch, const int n, const auto &batch) {
-            for (int lane = 0; lane < n; ++lane)
-              {
-                const int q         = first_of_batch + lane;
-                const double weight = material.cells().weight(q) *
-                                      material.volume_fraction(first + q);
-                const Vector<dim> total =
-                  material_field(material.source_field(first + q), batch, lane);
-                values.set(WeightedField::field, q, weight * total);
-                values.set(WeightedField::weight, q, weight);
-              }
-          });
-        StencilValues<dim> nodes = {};
-        stencil.add_tested(values, nodes);
-        material.cells().scatter_add(nodes, cell, sums);
-      });
+    for_active_cells(potential, material, [&](const unsigned int cell, const SelfField<dim> &h) {
+      if (material.first_point(cell) == material.none)
+        return;
+      PointValues<dim, n_octants_1d> values = {};
+      for_octants(
+        material,
+        cell,
+        h,
+        [&](const int octant, const unsigned int point, const auto &batch, const int lane) {
+          const double weight = material.quadrature().weight(octant) *
+                                material.volume_fraction(point);
+          const Vector<dim> total = material_field(material.source_field(point), batch, lane);
+          values.set(WeightedField::field, octant, weight * total);
+          values.set(WeightedField::weight, octant, weight);
+        });
+      StencilValues<dim> nodes = {};
+      material.quadrature().add_tested(values, nodes);
+      material.cells().scatter_add(nodes, cell, sums);
+    });
 
     partition.add_ghosts_to_owners(sums);
     field.reinit(blocks.size());
@@ -253,28 +289,20 @@ namespace magmpm
   sample_material(const EllipticProblem<dim> &potential, const MaterialPoints<dim> &material)
   {
     std::vector<MaterialSample<dim>> samples(material.size());
-    for_active_cells(
-      potential, material, [&](const unsigned int cell, const PointVectors<dim> &self_field) {
-        const unsigned int first = material.first_point(cell);
-        if (first == material.none)
-          return;
-        material.for_batches(
-          first,
-          [&](const int q) { return self_field[q]; },
-          [&](const int first_of_batch, const int n, const auto &batch) {
-            for (int lane = 0; lane < n; ++lane)
-              {
-                const int q              = first_of_batch + lane;
-                const unsigned int point = first + q;
-                samples[point]           = {material.cells().point(cell, q),
-                                            material.cells().weight(q),
-                                            material.volume_fraction(point),
-                                            material_field(material.source_field(point), batch, lane),
-                                            lane_of(batch.response.mean.magnetization, lane),
-                                            material.fraction(point) * material.number_density(point)};
-              }
-          });
-      });
+    for_active_cells(potential, material, [&](const unsigned int cell, const SelfField<dim> &h) {
+      for_octants(
+        material,
+        cell,
+        h,
+        [&](const int octant, const unsigned int point, const auto &batch, const int lane) {
+          samples[point] = {material.position(point),
+                            material.quadrature().weight(octant),
+                            material.volume_fraction(point),
+                            material_field(material.source_field(point), batch, lane),
+                            lane_of(batch.response.mean.magnetization, lane),
+                            material.fraction(point) * material.number_density(point)};
+        });
+    });
     return samples;
   }
 

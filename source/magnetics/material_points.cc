@@ -14,6 +14,8 @@ namespace magmpm
     , law(parameters.model())
     , is_sharp(parameters.indicator == MaterialIndicator::sharp)
     , the_cells(lattice, mesh.parameters().cell_edge)
+    , rule(the_cells.template quadrature<n_octants_1d>())
+    , content_rule(the_cells.template quadrature<2 * n_octants_1d>())
   {
   }
 
@@ -32,16 +34,21 @@ namespace magmpm
             SingleScalar::value, slot, node, content.get(NodeContent::volume, slot, node));
         });
         the_indicator.reinit(partition, the_cells, volumes, [&sources](const Vector<dim> &x) {
-          return sources.is_solid(x);
+          // At all points of the octants, since their own may miss a small core.
+          const bool is_excluded = sources.is_solid(x);
+          if (!is_excluded)
+            sources.check_material_at(x);
+          return is_excluded;
         });
-        first_points = the_indicator.first_points();
+        first_points = the_indicator.first_octants();
       }
     else
       find_smeared_cells(content);
 
     points.clear();
-    total_weight = 0.;
-    first_moment = Vector<dim>();
+    largest_susceptibility = 0.;
+    total_weight           = 0.;
+    first_moment           = Vector<dim>();
     for (unsigned int cell = 0; cell < the_cells.size(); ++cell)
       if (first_points[cell] != none)
         set_medium(cell, content, sources);
@@ -60,8 +67,30 @@ namespace magmpm
           the_cells.gather(content, cell, nodes);
           for (int i = 0; i < n_stencil_nodes<dim> && first_points[cell] == none; ++i)
             if (nodes.get(NodeContent::susceptibility, i) > 0.)
-              first_points[cell] = n_points<dim> * n_found++;
+              first_points[cell] = n_octants<dim> * n_found++;
         }
+  }
+
+  template <int dim>
+  PointValues<dim, n_octants_1d>
+  MaterialPoints<dim>::octant_content(const unsigned int cell,
+                                      const NodeField<dim, NodeContent> &content) const
+  {
+    StencilValues<dim> nodes;
+    typename CellQuadrature<dim, 2 * n_octants_1d>::Values values;
+    the_cells.gather(content, cell, nodes);
+    PointValues<dim, n_octants_1d> means = {};
+    if (!is_sharp)
+      {
+        rule.interpolate(nodes, means); // smeared enough as it is
+        return means;
+      }
+    content_rule.interpolate(nodes, values);
+    for (int q = 0; q < content_rule.size(); ++q)
+      for (int lane = 0; lane < n_lanes; ++lane)
+        means[octant_of_point<dim>(q) * n_lanes + lane] += values[q * n_lanes + lane] /
+                                                           n_octants<dim>;
+    return means;
   }
 
   template <int dim>
@@ -70,41 +99,58 @@ namespace magmpm
                                   const NodeField<dim, NodeContent> &content,
                                   const ExternalField<dim> &sources)
   {
-    StencilValues<dim> nodes;
-    PointValues<dim> contents;
-    the_cells.gather(content, cell, nodes);
-    the_cells.stencil().interpolate(nodes, contents);
-
-    for (int q = 0; q < n_points<dim>; ++q)
+    const PointValues<dim, n_octants_1d> contents = octant_content(cell, content);
+    for (int q = 0; q < n_octants<dim>; ++q)
       {
         points.emplace_back();
         Point &point   = points.back();
         double density = 1.; // of the medium over that of the content
         if (is_sharp)
           {
-            const auto &at = the_indicator.point(first_points[cell] + q);
+            const auto &at = the_indicator.octant(first_points[cell] + q);
             point.fraction = point.volume_fraction = at.fraction;
             point.normal                           = at.normal;
+            point.position                         = at.position;
             density = at.correction / contents.get(NodeContent::volume, q);
           }
         else
           {
             point.fraction        = (contents.get(NodeContent::susceptibility, q) > 0. ? 1. : 0.);
             point.volume_fraction = contents.get(NodeContent::volume, q);
+            point.position        = the_cells.position(cell) + rule.offset(q);
           }
         if (!(point.fraction > 0.))
           continue;
 
-        const Vector<dim> position             = the_cells.point(cell, q);
         point.content.saturation_magnetization = density * contents.get(NodeContent::saturation, q);
         point.content.initial_susceptibility   = density *
                                                contents.get(NodeContent::susceptibility, q);
-        point.number_density = density * contents.get(NodeContent::grains, q);
-        sources.check_material_at(position);
-        point.field    = sources.field(position);
-        point.gradient = sources.field_gradient(position);
+        point.number_density   = density * contents.get(NodeContent::grains, q);
+        largest_susceptibility = std::max(largest_susceptibility,
+                                          point.content.initial_susceptibility);
+        sources.check_material_at(point.position);
+        point.field    = sources.field(point.position);
+        point.gradient = sources.field_gradient(point.position);
       }
     add_magnetized_weight(cell);
+  }
+
+  template <int dim>
+  double
+  MaterialPoints<dim>::stabilization(const unsigned int lattice_cell) const
+  {
+    // A fifth of the stiffness in weak fields. Iterations of CG at chi = 100 and error of the moment of a
+    // sphere of R = 8 dx there: without 24 and 2.5 %, with this 9 and 2.8 %, with twice as much 9 and 3.1 %.
+    constexpr double part = 0.2;
+    double stiffness      = 0.;
+    for (int octant = 0; octant < n_octants<dim>; ++octant)
+      {
+        const Point &point          = points[first_points[lattice_cell] + octant];
+        const double susceptibility = point.content.initial_susceptibility;
+        stiffness += point.fraction * susceptibility /
+                     (1. + (1. - point.fraction) * susceptibility);
+      }
+    return part * stiffness / n_octants<dim>;
   }
 
   template <int dim>
@@ -117,9 +163,9 @@ namespace magmpm
         const Lanes magnetization = norm(batch.response.mean.magnetization);
         for (int lane = 0; lane < n; ++lane)
           {
-            const double weight = the_cells.weight(first + lane) * magnetization[lane];
+            const double weight = rule.weight(first + lane) * magnetization[lane];
             total_weight += weight;
-            first_moment += weight * the_cells.point(cell, first + lane);
+            first_moment += weight * position(first_points[cell] + first + lane);
           }
       });
   }
@@ -127,11 +173,16 @@ namespace magmpm
   template <int dim>
   double
   MaterialPoints<dim>::respond(const unsigned int lattice_cell,
-                               PointVectors<dim> &flux,
-                               PointMatrices<dim> &tangent) const
+                               const MediumResponse response,
+                               OctantVectors<dim> &flux,
+                               OctantMatrices<dim> &tangent) const
   {
-    double coenergy = 0.;
+    double coenergy          = 0.;
+    MagnetizationModel model = law;
+    if (response == MediumResponse::weak_field)
+      model.law = MagnetizationLaw::linear;
     for_batches(
+      model,
       first_points[lattice_cell],
       [&flux](const int q) { return -1. * flux[q]; },
       [&](const int first, const int n, const Batch &batch) {
@@ -139,12 +190,12 @@ namespace magmpm
         for (int lane = 0; lane < n; ++lane)
           {
             const int q = first + lane;
-            coenergy += mean.coenergy[lane] * the_cells.weight(q);
+            coenergy += mean.coenergy[lane] * rule.weight(q);
             for (int i = 0; i < dim; ++i)
               {
-                flux[q][i] -= mean.magnetization[i][lane];
+                flux[q][i] = -mean.magnetization[i][lane];
                 for (int j = 0; j < dim; ++j)
-                  tangent[q](i, j) = (i == j ? 1. : 0.) + mean.tangent(i, j)[lane];
+                  tangent[q](i, j) = mean.tangent(i, j)[lane];
               }
           }
       });

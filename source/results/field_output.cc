@@ -24,6 +24,17 @@ namespace magmpm
       return node / power(3, axis) % 3;
     }
 
+    /** Whether a node of a cell lies at an octant of it: its corners, and what lies between these. */
+    template <int dim>
+    bool
+    touches(const int node, const int octant)
+    {
+      for (int axis = 0; axis < dim; ++axis)
+        if (place(node, axis) == (octant >> axis & 1 ? 0 : 2))
+          return false;
+      return true;
+    }
+
     /** Means over the cells around a node, continuous also at hanging nodes. */
     template <int dim, int n_components>
     class NodalMean
@@ -165,14 +176,10 @@ namespace magmpm
           }
       }
 
-      /**
-       * Each node of a cell takes the quadrature point next to it: those of all cells around lie
-       * symmetrically about it.
-       */
+      /** Each node of a cell takes the mean over the octants that it touches. */
       void
       add_medium(const Dofs &dofs, const unsigned int lattice_cell)
       {
-        static_assert(n_points<dim> == n_cell_nodes<dim>);
         const unsigned int first = lattice_cell == invalid_entry
                                      ? material.none
                                      : material.first_point(lattice_cell);
@@ -181,9 +188,18 @@ namespace magmpm
             std::array<double, dim + 1> values = {};
             if (first != material.none)
               {
-                const MaterialSample<dim> &sample = samples[first + node];
-                std::copy_n(sample.magnetization.values, dim, values.begin());
-                values[dim] = sample.number_density;
+                int n_touched = 0;
+                for (int octant = 0; octant < n_octants<dim>; ++octant)
+                  if (touches<dim>(node, octant))
+                    {
+                      const MaterialSample<dim> &sample = samples[first + octant];
+                      for (int d = 0; d < dim; ++d)
+                        values[d] += sample.magnetization[d];
+                      values[dim] += sample.number_density;
+                      ++n_touched;
+                    }
+                for (double &value : values)
+                  value /= n_touched;
               }
             medium.add(dofs[node], values);
           }

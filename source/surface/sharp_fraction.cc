@@ -60,10 +60,28 @@ namespace magmpm
 
   template <int dim>
   Vector<dim>
-  SharpFraction<dim>::normal(const Vector<dim> &gradient)
+  SharpFraction<dim>::normal(const Matrix<dim> &gradient_square)
   {
-    return (1. / std::sqrt(norm_square(gradient) + smallest_gradient * smallest_gradient)) *
-           gradient;
+    const double total = trace(gradient_square);
+    if (!(total > 0.))
+      return {};
+    // Its 2^n th power leaves only the largest eigenvalue; of two equal ones it takes a mixture.
+    constexpr int n_squares = 10;
+    Matrix<dim> power       = (1. / total) * gradient_square;
+    for (int i = 0; i < n_squares; ++i)
+      {
+        power = power * power;
+        power *= 1. / trace(power);
+      }
+    int largest = 0;
+    for (int d = 1; d < dim; ++d)
+      largest = power(d, d) > power(largest, largest) ? d : largest;
+    Vector<dim> direction;
+    for (int d = 0; d < dim; ++d)
+      direction[d] = power(d, largest);
+    direction *= 1. / norm(direction);
+    const double eigenvalue = dot(direction, gradient_square * direction);
+    return std::sqrt(eigenvalue / (eigenvalue + smallest_gradient * smallest_gradient)) * direction;
   }
 
   template class SharpFraction<2>;

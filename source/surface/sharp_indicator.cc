@@ -32,6 +32,20 @@ namespace magmpm
       }
     };
 
+    /**
+     * Where f has too much volume, as in thin sheets, it gives up what q takes from the density, which the
+     * moment across a sheet hardly depends on: all of it where f is small, nothing where f = 1. Drops have
+     * too little; their f, small as it is, is better left.
+     */
+    void
+    move_correction_to_fraction(double &fraction, double &correction)
+    {
+      const double square = fraction * fraction;
+      const double ratio  = 1. + (1. - square * square) * (std::min(correction, 1.) - 1.);
+      fraction *= ratio;
+      correction /= ratio;
+    }
+
     /** S. */
     template <int dim>
     void
@@ -47,62 +61,99 @@ namespace magmpm
   SharpIndicator<dim>::reinit(const BlockPartition<dim> &partition,
                               const LatticeCells<dim> &cells,
                               const NodeField<dim, SingleScalar> &volumes,
-                              const std::function<bool(const Vector<dim> &)> &is_excluded)
+                              const IsExcluded &is_excluded)
   {
+    const Rule rule = cells.template quadrature<2 * n_octants_1d>();
     sharp.reinit(partition, volumes);
 
-    points.clear();
-    first_point_of_cell.assign(cells.size(), none);
+    octants.clear();
+    fractions.clear();
+    first_octant_of_cell.assign(cells.size(), none);
     NodeField<dim, SingleScalar> field(partition.blocks().size()); // int f N_i, then q
     for (unsigned int cell = 0; cell < cells.size(); ++cell)
       if (cells.is_active(cell))
-        find_fractions(cells, cell, is_excluded, field);
+        add_cell(cells, rule, cell, is_excluded, field);
     find_correction(partition, volumes, field);
     for (unsigned int cell = 0; cell < cells.size(); ++cell)
-      if (first_point_of_cell[cell] != none)
-        complete_points(cells, cell, field);
+      if (first_octant_of_cell[cell] != none)
+        {
+          correct_octants(cells, rule, cell, field);
+          find_normals(cells, rule, cell);
+        }
   }
 
   template <int dim>
-  void
+  bool
   SharpIndicator<dim>::find_fractions(const LatticeCells<dim> &cells,
+                                      const Rule &rule,
                                       const unsigned int cell,
-                                      const std::function<bool(const Vector<dim> &)> &is_excluded,
-                                      NodeField<dim, SingleScalar> &tested_fraction)
+                                      const IsExcluded &is_excluded,
+                                      PointFractions &f) const
   {
-    using Nodes             = typename SharpFraction<dim>::Nodes;
-    const double per_volume = 1. / std::pow(cells.spacing(), dim);
+    using Nodes = typename SharpFraction<dim>::Nodes;
     StencilValues<dim> nodes;
-    PointValues<dim> values;
     cells.gather(sharp.field(), cell, nodes);
     bool has_volume = false;
     for (int i = 0; i < n_stencil_nodes<dim> && !has_volume; ++i)
       has_volume = nodes.get(Nodes::volume, i) > 0.;
     if (!has_volume)
-      return;
+      return false;
 
-    cells.stencil().interpolate(nodes, values);
-    std::array<Point, n_points<dim>> here;
+    typename Rule::Values values;
+    rule.interpolate(nodes, values);
     bool has_material = false;
-    for (int q = 0; q < n_points<dim>; ++q)
+    for (int q = 0; q < rule.size(); ++q)
       {
-        double &fraction = here[q].fraction;
-        fraction         = SharpFraction<dim>::fraction(values.get(Nodes::volume, q),
-                                                values.get(Nodes::full, q));
-        if (fraction > 0. && is_excluded(cells.point(cell, q)))
-          fraction = 0.;
-        has_material = has_material || fraction > 0.;
+        f[q] = SharpFraction<dim>::fraction(values.get(Nodes::volume, q),
+                                            values.get(Nodes::full, q));
+        if (f[q] > 0. && is_excluded(cells.position(cell) + rule.offset(q)))
+          f[q] = 0.;
+        has_material = has_material || f[q] > 0.;
       }
-    if (!has_material)
+    return has_material;
+  }
+
+  template <int dim>
+  void
+  SharpIndicator<dim>::add_cell(const LatticeCells<dim> &cells,
+                                const Rule &rule,
+                                const unsigned int cell,
+                                const IsExcluded &is_excluded,
+                                NodeField<dim, SingleScalar> &tested_fraction)
+  {
+    PointFractions f;
+    if (!find_fractions(cells, rule, cell, is_excluded, f))
       return;
 
-    first_point_of_cell[cell] = static_cast<unsigned int>(points.size());
-    points.insert(points.end(), here.begin(), here.end());
-    values.fill(0.);
-    for (int q = 0; q < n_points<dim>; ++q)
-      values.set(SingleScalar::value, q, here[q].fraction * cells.weight(q) * per_volume);
-    nodes.fill(0.);
-    cells.stencil().add_tested(values, nodes);
+    std::array<Octant, n_octants<dim>> here;
+    std::array<Vector<dim>, n_octants<dim>> moments = {}, middles = {};
+    for (int q = 0; q < rule.size(); ++q)
+      {
+        const int octant = octant_of_point<dim>(q);
+        here[octant].fraction += f[q] / n_octants<dim>;
+        moments[octant] += (f[q] / n_octants<dim>)*rule.offset(q);
+        middles[octant] += (1. / n_octants<dim>)*rule.offset(q);
+      }
+    const auto points = cells.template quadrature<n_octants_1d>();
+    for (int octant = 0; octant < n_octants<dim>; ++octant)
+      if (here[octant].fraction > 0.)
+        {
+          const Vector<dim> centroid = (1. / here[octant].fraction) * moments[octant];
+          here[octant].position      = cells.position(cell) + points.offset(octant) + centroid -
+                                  middles[octant];
+          if (is_excluded(here[octant].position))
+            here[octant].position = cells.position(cell) + centroid;
+        }
+    first_octant_of_cell[cell] = static_cast<unsigned int>(octants.size());
+    octants.insert(octants.end(), here.begin(), here.end());
+    fractions.push_back(f);
+
+    const double per_volume      = 1. / std::pow(cells.spacing(), dim);
+    typename Rule::Values values = {};
+    StencilValues<dim> nodes     = {};
+    for (int q = 0; q < rule.size(); ++q)
+      values.set(SingleScalar::value, q, f[q] * rule.weight(q) * per_volume);
+    rule.add_tested(values, nodes);
     cells.scatter_add(nodes, cell, tested_fraction);
   }
 
@@ -139,34 +190,58 @@ namespace magmpm
 
   template <int dim>
   void
-  SharpIndicator<dim>::complete_points(const LatticeCells<dim> &cells,
+  SharpIndicator<dim>::correct_octants(const LatticeCells<dim> &cells,
+                                       const Rule &rule,
                                        const unsigned int cell,
                                        const NodeField<dim, SingleScalar> &correction)
   {
-    const auto first = points.begin() + first_point_of_cell[cell];
+    Octant *here            = &octants[first_octant_of_cell[cell]];
+    const PointFractions &f = fractions[first_octant_of_cell[cell] / n_octants<dim>];
     StencilValues<dim> nodes;
-    PointValues<dim> values;
+    typename Rule::Values values;
     cells.gather(correction, cell, nodes);
-    cells.stencil().interpolate(nodes, values);
-    for (int q = 0; q < n_points<dim>; ++q)
-      first[q].correction = values.get(SingleScalar::value, q);
+    rule.interpolate(nodes, values);
 
+    std::array<double, n_octants<dim>> volumes = {};
+    for (int q = 0; q < rule.size(); ++q)
+      volumes[octant_of_point<dim>(q)] += f[q] * values.get(SingleScalar::value, q) /
+                                          n_octants<dim>;
+    for (int octant = 0; octant < n_octants<dim>; ++octant)
+      if (here[octant].fraction > 0.)
+        {
+          here[octant].correction = volumes[octant] / here[octant].fraction;
+          move_correction_to_fraction(here[octant].fraction, here[octant].correction);
+        }
+  }
+
+  template <int dim>
+  void
+  SharpIndicator<dim>::find_normals(const LatticeCells<dim> &cells,
+                                    const Rule &rule,
+                                    const unsigned int cell)
+  {
     // Where all is full, or empty, no normal is asked for.
-    if (std::none_of(first, first + n_points<dim>, [](const Point &point) {
-          return point.fraction > 0. && point.fraction < 1.;
+    Octant *here = &octants[first_octant_of_cell[cell]];
+    if (std::none_of(here, here + n_octants<dim>, [](const Octant &octant) {
+          return octant.fraction > 0. && octant.fraction < 1.;
         }))
       return;
-    std::array<PointValues<dim>, dim> derivatives;
+
+    StencilValues<dim> nodes;
+    std::array<typename Rule::Values, dim> derivatives;
     cells.gather(sharp.field(), cell, nodes);
     for (int d = 0; d < dim; ++d)
-      cells.stencil().interpolate_derivative(nodes, d, derivatives[d]);
-    for (int q = 0; q < n_points<dim>; ++q)
+      rule.interpolate_derivative(nodes, d, derivatives[d]);
+    std::array<Matrix<dim>, n_octants<dim>> squares = {};
+    for (int q = 0; q < rule.size(); ++q)
       {
         Vector<dim> gradient;
         for (int d = 0; d < dim; ++d)
           gradient[d] = derivatives[d].get(SharpFraction<dim>::Nodes::volume, q);
-        first[q].normal = SharpFraction<dim>::normal(gradient);
+        squares[octant_of_point<dim>(q)] += (1. / n_octants<dim>)*outer(gradient, gradient);
       }
+    for (int octant = 0; octant < n_octants<dim>; ++octant)
+      here[octant].normal = SharpFraction<dim>::normal(squares[octant]);
   }
 
   template class SharpIndicator<2>;

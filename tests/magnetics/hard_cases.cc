@@ -139,16 +139,17 @@ TEMPLATE_TEST_CASE_SIG("Where there is no field nothing happens",
 }
 
 // Half way between two equal magnets with opposite moments the field is zero, and by symmetry so
-// are H, the moment and the force there. The point is a quadrature point, where the laws are taken
-// at H = 0.
+// are the moment and the force of a sphere there, where the mesh is symmetric about it: in the middle of a
+// cell. At a quadrature point the laws are taken at zero.
 TEMPLATE_TEST_CASE_SIG("The field may be zero at a point",
                        "[magnetics][mpi]",
                        ((int dim), dim),
                        2,
                        3)
 {
+  const bool is_symmetric = GENERATE(true, false);
   SampledSetup<dim> scene(16, spacing, 2., {});
-  const double middle    = 9.; // the middle of a cell of 2 dx
+  const double middle    = is_symmetric ? 9. : 9. - std::sqrt(1. / 3.);
   const Vector<dim> null = lattice_point<dim>(middle, middle);
   scene.set_bodies({sphere<dim>(null, 4. * spacing, grains(10.))}, 4);
   const ExternalField<dim> sources(
@@ -173,10 +174,11 @@ TEMPLATE_TEST_CASE_SIG("The field may be zero at a point",
              report.newton.steps,
              norm(moment(scene)) / total,
              norm(force.total) / force.absolute);
-  CHECK(parallel::min(smallest, MPI_COMM_WORLD) < 1e-9);
+  if (!is_symmetric)
+    CHECK(parallel::min(smallest, MPI_COMM_WORLD) < 1e-9);
   CHECK(report.newton.steps <= 6);
-  CHECK(norm(moment(scene)) < 1e-3 * total);
-  CHECK(norm(force.total) < 1e-3 * force.absolute);
+  CHECK(norm(moment(scene)) < (is_symmetric ? 1e-3 : 2e-2) * total);
+  CHECK(norm(force.total) < (is_symmetric ? 1e-3 : 2e-2) * force.absolute);
 }
 
 // Far into saturation, a = mu_0 m H/(k_B T) up to 1e4, the moment of a sphere is M_s V L(a) with H
@@ -286,7 +288,7 @@ TEMPLATE_TEST_CASE_SIG("Material may fill the whole box",
 
 // A single particle is a drop of its volume, wherever in the cells it is, although its width is a
 // fraction of a cell: its moment is that of a ball of this volume, chi_0/(1 + chi_0/dim) H_0 V,
-// with an error over places in the cell of 16 % (2D) and 12 % (3D) rms; 4 % with cells of dx. Its
+// with an error over places in the cell of 11 % (2D) and 7 % (3D) rms, 9 and 6 % with cells of dx. Its
 // volume is kept.
 TEMPLATE_TEST_CASE_SIG("A single particle is a drop", "[magnetics]", ((int dim), dim), 2, 3)
 {
@@ -326,8 +328,8 @@ TEMPLATE_TEST_CASE_SIG("A single particle is a drop", "[magnetics]", ((int dim),
         100. * std::sqrt(square),
         100. * largest,
         100. * lost);
-      CHECK(std::sqrt(square) < (cell_edge == 1 ? 0.05 : dim == 2 ? 0.18 : 0.14));
-      CHECK(largest < (cell_edge == 1 ? 0.1 : 0.45));
+      CHECK(std::sqrt(square) < (cell_edge == 1 ? 0.1 : 0.13));
+      CHECK(largest < (cell_edge == 1 ? 0.18 : 0.25));
       CHECK(std::abs(mean) < 0.08);
       CHECK(lost < 3e-3);
     }
@@ -343,7 +345,7 @@ TEMPLATE_TEST_CASE_SIG("A particle may be at a node or a quadrature point",
                        3)
 {
   SampledSetup<dim> scene(16, spacing, 2., {});
-  const double gauss = std::sqrt(0.6); // of the three points in a cell of 2 dx
+  const double gauss = std::sqrt(1. / 3.); // of the two points in a cell of 2 dx
   for (const double place : {8., 9., 8. + 1. - gauss})
     {
       scene.set_particles({{lattice_point<dim>(place, place), std::pow(0.5, dim), grains(10.)}});
@@ -361,7 +363,7 @@ TEMPLATE_TEST_CASE_SIG("A particle may be at a node or a quadrature point",
                  along_x[0] / along_z[dim - 1] - 1.);
       CHECK(along_z[dim - 1] > 0.);
       CHECK(along_x[0] == Approx(along_z[dim - 1]).epsilon(1e-4));
-      CHECK(std::abs(along_z[0]) < (place == std::round(place) ? 1e-4 : 0.1) * along_z[dim - 1]);
+      CHECK(std::abs(along_z[0]) < (place == std::round(place) ? 1e-4 : 0.25) * along_z[dim - 1]);
       CHECK(norm(force.total) < 1e-2 * force.absolute);
     }
 }

@@ -1,7 +1,5 @@
 #include "catch.h"
 
-#include <deal.II/base/quadrature_lib.h>
-
 #include <magmpm/elliptic/elliptic_residual.h>
 #include <magmpm/elliptic/ml_preconditioner.h>
 #include <magmpm/parallel/reduce.h>
@@ -64,7 +62,7 @@ namespace
     linearize(const PotentialVector &potential)
     {
       PotentialVector result = space->make_vector();
-      residual.evaluate(*space, material, jacobian, potential, result);
+      residual.evaluate(*space, material, MediumResponse::full, jacobian, potential, result);
       jacobian.set_coefficient([&](const unsigned int batch, const unsigned int lane) {
         return residual.coefficient(space->lattice_cell(batch, lane));
       });
@@ -215,27 +213,23 @@ namespace
   {
     dealii::AffineConstraints<double> no_constraints;
     no_constraints.close();
-    typename CellBatches<dim, double>::AdditionalData data;
-    data.mg_level = level;
-    auto cells    = std::make_shared<CellBatches<dim, double>>();
-    cells->reinit(test.space->mapping,
-                  test.space->dof_handler,
-                  no_constraints,
-                  dealii::QGauss<1>(n_points_1d),
-                  data);
+    const auto cells = make_cell_batches<dim, double>(
+      test.space->mapping, test.space->dof_handler, no_constraints, level);
     level_operator.initialize_level(cells, constraints, level);
 
-    std::array<dealii::SymmetricTensor<2, dim>, n_points<dim>> values;
+    CellCoefficient<dim> values;
     level_operator.set_coefficient(
-      [&](const unsigned int batch, const unsigned int lane) -> decltype(values.data()) {
+      [&](const unsigned int batch, const unsigned int lane) -> const CellCoefficient<dim> * {
         const auto cell = cells->get_cell_iterator(batch, lane);
         if (cell->index() % 3 != 0)
           return nullptr;
-        for (int q = 0; q < n_points<dim>; ++q)
+        values.whole = 1.3;
+        for (int q = 0; q < n_octants<dim>; ++q)
           for (int i = 0; i < dim; ++i)
             for (int j = 0; j <= i; ++j)
-              values[q][i][j] = (i == j ? 3. : 0.) + std::sin(q + 2. * i + j + cell->center()[0]);
-        return values.data();
+              values.octants[q][i][j] = (i == j ? 3. : 0.) +
+                                        std::sin(q + 2. * i + j + cell->center()[0]);
+        return &values;
       });
     dealii::FullMatrix<double> matrix;
     level_operator.set_boundary_matrices([&](const unsigned int batch, const unsigned int lane) {

@@ -115,7 +115,7 @@ TEMPLATE_TEST_CASE_SIG("Newton's method takes at most four steps at the paper's 
       const SolveReport moved = test.solve();
       print<dim>("moved by 0.5 dx", moved, timer.wall_time());
       CHECK(moved.newton.steps <= 4);
-      CHECK(moved.relative_initial_residual() < 0.4);
+      CHECK(moved.relative_initial_residual() < 0.55);
       CHECK(moved.newton.linear_iterations <= first.newton.linear_iterations);
       CHECK_FALSE(moved.preconditioner_rebuilt);
 
@@ -178,12 +178,12 @@ TEST_CASE("The force does not depend on the number of ranks", "[magnetics][mpi]"
                                 scene.sum(force)[2],
                                 scene.sum(force, first_moment)[1],
                                 scene.sum(field, first_moment)[2]};
-  const double on_one_rank[] = {-0.577489015811627,
-                                3.76184676439882,
-                                -6.52184073676784,
-                                -22.5555077735324,
-                                -1.59238569814933,
-                                10941323.0611707};
+  const double on_one_rank[] = {-0.570811038872494,
+                                3.69498167448277,
+                                -6.38306077788319,
+                                -22.312203815577,
+                                -1.57026218511996,
+                                12850698.0500635};
   for (int i = 0; i < 6; ++i)
     {
       CAPTURE(i);

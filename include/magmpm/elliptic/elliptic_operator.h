@@ -1,12 +1,11 @@
 #pragma once
 
-#include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/matrix_free/fe_evaluation.h>
 #include <deal.II/matrix_free/operators.h>
 
+#include <magmpm/elliptic/cell_coefficient.h>
 #include <magmpm/elliptic/elliptic_space.h>
-#include <magmpm/lattice/cell_stencil.h>
 
 #include <functional>
 
@@ -14,11 +13,11 @@ namespace magmpm
 {
   /**
    * The Jacobian of an elliptic problem, without a matrix:
-   *   a(u, v) = int grad v . K grad u  +  sum_C v^T R_C u,
-   * K symmetric positive definite at every quadrature point, R_C the element matrices of the cells at the
-   * open boundary (OpenBoundary). K is stored only for batches of cells that a medium fills, R_C for
-   * those at the boundary; elsewhere K = I costs nothing. In double on the active cells (CG) and in float on
-   * the levels of multigrid; for any number of SIMD lanes.
+   *   a(u, v) = sum_C [c_C int grad v . grad u  +  sum_o w_o grad v . A_o grad u  +  v^T R_C u],
+   * with c_C and A_o of the CellCoefficient of a cell and the element matrices R_C of the cells at the
+   * open boundary (OpenBoundary). Coefficients are stored only for batches of cells that a medium fills,
+   * matrices for those at the boundary; elsewhere c = 1 and A = 0. The first integral is exact. In double
+   * on the active cells (CG) and in float on the levels of multigrid; for any number of SIMD lanes.
    */
   template <int dim, typename Number>
   class EllipticOperator
@@ -29,13 +28,14 @@ namespace magmpm
     using VectorType = dealii::LinearAlgebra::distributed::Vector<Number>;
     using Lanes      = CellLanes<Number>;
     using Evaluation = dealii::FEEvaluation<dim, potential_degree, n_points_1d, 1, Number, Lanes>;
+    using OctantEvaluation =
+      dealii::FEEvaluation<dim, potential_degree, n_octants_1d, 1, Number, Lanes>;
 
     static constexpr unsigned int n_cell_dofs = Evaluation::static_dofs_per_cell;
 
-    /** The n_points<dim> tensors of a cell (batch, lane), or a null pointer where K = I. */
-    using CellCoefficient =
-      std::function<const dealii::SymmetricTensor<2, dim> *(const unsigned int,
-                                                            const unsigned int)>;
+    /** That of a cell (batch, lane), or a null pointer where no medium is. */
+    using Coefficient =
+      std::function<const CellCoefficient<dim> *(const unsigned int, const unsigned int)>;
 
     /** The element matrix of a cell (batch, lane), lexicographic, or a null pointer. */
     using CellMatrix =
@@ -48,7 +48,7 @@ namespace magmpm
                      const unsigned int level);
 
     void
-    set_coefficient(const CellCoefficient &coefficient);
+    set_coefficient(const Coefficient &coefficient);
 
     void
     set_boundary_matrices(const CellMatrix &matrices);
@@ -85,18 +85,26 @@ namespace magmpm
     std::vector<bool> is_at_edge;   ///< of the refined region, by batch
     mutable bool edge_only = false; ///< whether apply_add() leaves the other batches out
 
-    std::vector<unsigned int> first_tensor; ///< in tensors, by batch; invalid_entry: K = I
+    std::vector<unsigned int> media; ///< number in coefficients, by batch; invalid_entry: none
     std::vector<unsigned int> first_matrix; ///< in matrices, by batch; invalid_entry: none
 
-    dealii::AlignedVector<dealii::SymmetricTensor<2, dim, Lanes>> tensors;
+    /** A CellCoefficient of each cell of a batch. */
+    struct BatchCoefficient
+    {
+      Lanes whole = Number(1.);
+      std::array<dealii::SymmetricTensor<2, dim, Lanes>, n_octants<dim>> octants;
+    };
+
+    dealii::AlignedVector<BatchCoefficient> coefficients;
     dealii::AlignedVector<Lanes> matrices;
 
+    /** @param octants  a place to work. */
     void
-    apply_to_cell(Evaluation &u) const;
+    apply_to_cell(Evaluation &u, OctantEvaluation &octants) const;
 
     /** The diagonal of the element matrices of the present batch, by sum factorization. */
     void
-    cell_diagonal(const Evaluation &u, Lanes *diagonal) const;
+    cell_diagonal(const Evaluation &u, OctantEvaluation &octants, Lanes *diagonal) const;
 
     void
     apply_add(VectorType &dst, const VectorType &src) const override;

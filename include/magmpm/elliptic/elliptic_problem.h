@@ -77,13 +77,14 @@ namespace magmpm
     solve(const EllipticMedium<dim> &medium);
 
     /**
-     * Calls action(lattice cell, grad phi at its points) for the lattice cells of this rank that are
-     * wanted. Collective.
+     * Calls action(lattice cell, grad phi at its points and in its octants) for the lattice cells of this
+     * rank that are wanted. Collective.
      */
     void
-    for_gradients(
-      const std::function<bool(const unsigned int)> &is_wanted,
-      const std::function<void(const unsigned int, const PointVectors<dim> &)> &action) const;
+    for_gradients(const std::function<bool(const unsigned int)> &is_wanted,
+                  const std::function<void(const unsigned int,
+                                           const PointVectors<dim> &,
+                                           const OctantVectors<dim> &)> &action) const;
 
     /** Degrees of freedom of the potential, of all ranks; zero before the first follow_mesh(). */
     unsigned long long

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <deal.II/base/symmetric_tensor.h>
-
 #include <magmpm/elliptic/elliptic_operator.h>
 #include <magmpm/elliptic/elliptic_parameters.h>
 #include <magmpm/elliptic/elliptic_space.h>
@@ -17,8 +15,8 @@ namespace magmpm
   template <int dim>
   struct JacobianData
   {
-    /** K at the n_points<dim> points of a lattice cell, or a null pointer where it is 1. */
-    std::function<const dealii::SymmetricTensor<2, dim> *(const unsigned int)> coefficient;
+    /** K of a lattice cell, or a null pointer where no medium is. */
+    std::function<const CellCoefficient<dim> *(const unsigned int)> coefficient;
 
     const OpenBoundary<dim> &boundary;
   };

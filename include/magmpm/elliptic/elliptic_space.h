@@ -27,6 +27,19 @@ namespace magmpm
   template <int dim, typename Number>
   using CellBatches = dealii::MatrixFree<dim, Number, CellLanes<Number>>;
 
+  /**
+   * All cells of @p dof_handler, or those of a level, with two rules: 0 is QGauss(3), which is exact for the
+   * Laplacian, and 1 QGauss(2), for media.
+   *
+   * @param level  dealii::numbers::invalid_unsigned_int: the active cells.
+   */
+  template <int dim, typename Number>
+  std::shared_ptr<const CellBatches<dim, Number>>
+  make_cell_batches(const dealii::Mapping<dim> &mapping,
+                    const dealii::DoFHandler<dim> &dof_handler,
+                    const dealii::AffineConstraints<double> &constraints,
+                    const unsigned int level);
+
   /** Coefficients of the potential; also its residual and the steps of Newton's method. */
   using PotentialVector = dealii::LinearAlgebra::distributed::Vector<double>;
 
@@ -85,9 +98,6 @@ namespace magmpm
   private:
     void
     find_lattice_cells();
-
-    void
-    set_up_matrix_free();
   };
 
   /** A potential and the space it belongs to. */

@@ -48,21 +48,22 @@ namespace magmpm
 
     const EllipticSpace<dim> &space;
     const unsigned int n_dofs; ///< of a cell
-    const dealii::Quadrature<dim> quadrature;
+    const dealii::Quadrature<dim> octants;
     const std::vector<unsigned int> lexicographic;
-    std::vector<dealii::Tensor<1, dim>> gradients; ///< [point][degree of freedom]
-    dealii::FullMatrix<double> vacuum;
+    std::vector<dealii::Tensor<1, dim>> gradients; ///< [octant][degree of freedom]
+    dealii::FullMatrix<double> vacuum;             ///< int grad v . grad u on the unit cube
 
-    /** int grad v . K grad u + int_open c u v on a cell, in deal.II's numbering. */
+    /** The element matrix of a cell, in deal.II's numbering. */
     void
     compute(const JacobianData<dim> &jacobian,
             const Cell &cell,
             dealii::FullMatrix<double> &matrix) const;
 
+    /** Adds sum_o w_o grad v . A_o grad u. */
     void
-    integrate(const dealii::SymmetricTensor<2, dim> *coefficient,
-              const double scaling,
-              dealii::FullMatrix<double> &matrix) const;
+    add_octants(const CellCoefficient<dim> &coefficient,
+                const double scaling,
+                dealii::FullMatrix<double> &matrix) const;
   };
 
   template <int dim>

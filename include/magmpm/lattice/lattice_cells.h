@@ -1,18 +1,15 @@
 #pragma once
 
 #include <magmpm/lattice/block_set.h>
-#include <magmpm/lattice/cell_stencil.h>
+#include <magmpm/lattice/cell_quadrature.h>
 
-#include <array>
-#include <cmath>
 #include <vector>
 
 namespace magmpm
 {
   /**
-   * Cells of one edge on the lattice, in which node fields are integrated: where each lies among the
-   * blocks, and the quadrature points that all of them share (CellStencil). Cells outside of owned active
-   * blocks are in the list, but have no slot.
+   * Mesh cells of one edge on the lattice, in which node fields are integrated: where each lies among the
+   * blocks. Cells outside of owned active blocks are in the list, but have no slot.
    */
   template <int dim>
   class LatticeCells
@@ -21,18 +18,8 @@ namespace magmpm
     /** @param cell_edge  in dx: 2 or 1. */
     LatticeCells(const Lattice<dim> &lattice, const int cell_edge)
       : lattice(lattice)
-      , the_stencil(cell_edge)
+      , cell_edge(cell_edge)
     {
-      const double half_edge = 0.5 * cell_edge * lattice.spacing;
-      for (int q = 0; q < n_points<dim>; ++q)
-        {
-          weights[q] = 1.;
-          for (int d = 0, rest = q; d < dim; ++d, rest /= n_points_1d)
-            {
-              weights[q] *= half_edge * CellStencil<dim>::weights_1d[rest % n_points_1d];
-              offsets[q][d] = half_edge * CellStencil<dim>::points_1d[rest % n_points_1d];
-            }
-        }
     }
 
     /** @param blocks  must stay as they are. */
@@ -54,6 +41,14 @@ namespace magmpm
         }
     }
 
+    /** A rule for these cells, of n points per axis. */
+    template <int n>
+    CellQuadrature<dim, n>
+    quadrature() const
+    {
+      return CellQuadrature<dim, n>(cell_edge, lattice.spacing);
+    }
+
     unsigned int
     size() const
     {
@@ -67,25 +62,18 @@ namespace magmpm
       return cells[cell].slot != invalid_slot;
     }
 
-    /** The quadrature point @p q (0 .. n_points - 1) of a cell [m]. */
-    Vector<dim>
-    point(const unsigned int cell, const int q) const
+    /** The lower node of a cell [m]: points of a rule lie from there. */
+    const Vector<dim> &
+    position(const unsigned int cell) const
     {
-      return cells[cell].position + offsets[q];
-    }
-
-    /** Of the quadrature point @p q of every cell; they sum to a cell [m^dim]. */
-    double
-    weight(const int q) const
-    {
-      return weights[q];
+      return cells[cell].position;
     }
 
     /** Reads the nodes around a cell; nodes of blocks that are not active count as zero. */
     void
     gather(const NodeNumbers<dim> &field, const unsigned int cell, StencilValues<dim> &values) const
     {
-      the_stencil.gather(field, *the_blocks, cells[cell].slot, cells[cell].corner, values);
+      gather_stencil<dim>(field, *the_blocks, cells[cell].slot, cells[cell].corner, values);
     }
 
     /** Adds to the nodes around a cell, apart from those of blocks that are not active. */
@@ -94,13 +82,7 @@ namespace magmpm
                 const unsigned int cell,
                 NodeNumbers<dim> &field) const
     {
-      the_stencil.scatter_add(values, *the_blocks, cells[cell].slot, cells[cell].corner, field);
-    }
-
-    const CellStencil<dim> &
-    stencil() const
-    {
-      return the_stencil;
+      scatter_stencil<dim>(values, *the_blocks, cells[cell].slot, cells[cell].corner, field);
     }
 
     double
@@ -118,11 +100,8 @@ namespace magmpm
     };
 
     const Lattice<dim> lattice;
-    const CellStencil<dim> the_stencil;
+    const int cell_edge;
     const BlockSet<dim> *the_blocks = nullptr;
     std::vector<Cell> cells;
-
-    std::array<double, n_points<dim>> weights;
-    std::array<Vector<dim>, n_points<dim>> offsets; ///< from the lower node of a cell [m]
   };
 } // namespace magmpm

@@ -15,8 +15,9 @@ namespace magmpm
    * The stress h (x) (h + M) of the field that the material makes itself is not symmetric: h + M is
    * what is contracted with grad N_i. The stress of H_ext never enters, so that there are no ghost
    * forces near a strong magnet. In a laminate each product is that of its phase, and the mean over
-   * both is taken. The integral is over the cells of active blocks, with the quadrature
-   * points of the solve; nodes whose B-spline reaches beyond active blocks are left at zero.
+   * both is taken. The integral is over the cells of active blocks, with the quadratures
+   * of the solve: 3^dim points for the stress that a vacuum would have, the octants for what material
+   * adds. Nodes whose B-spline reaches beyond active blocks are left at zero.
    *
    * @param force  [N] on owned nodes, summed over the ranks; ghosts zero. Collective.
    */
@@ -39,7 +40,7 @@ namespace magmpm
                          const BlockPartition<dim> &partition,
                          NodeField<dim, SingleVector> &field);
 
-  /** The medium of this rank at the quadrature points with material. */
+  /** The medium of this rank in the octants of cells with material. */
   template <int dim>
   std::vector<MaterialSample<dim>>
   sample_material(const EllipticProblem<dim> &potential, const MaterialPoints<dim> &material);

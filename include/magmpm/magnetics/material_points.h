@@ -14,9 +14,10 @@
 namespace magmpm
 {
   /**
-   * The magnetic medium at the quadrature points of the mesh: what the potential problem knows of
-   * material. Content comes from node fields through quadratic B-splines of spacing dx; the field of
-   * the sources is evaluated here, and only where material is.
+   * The magnetic medium at one point in each octant of the mesh cells, those of QGauss(2): what the
+   * potential problem knows of material. Content comes from node fields through quadratic B-splines of
+   * spacing dx, as the mean over the octant; the field of the sources is evaluated at the point, and only
+   * where material is.
    *
    * With the sharp indicator a point is a laminate of a fraction f of material and vacuum, with layers
    * across nu = grad v/|grad v|; content is that of the material, q P2G(..)/P2G(volume). No material is
@@ -60,20 +61,37 @@ namespace magmpm
       return first_points[lattice_cell] != none;
     }
 
-    /** q = grad phi - M(H_ext - grad phi), K = 1 + dM/dH; returns int psi, that of the laminate. */
+    /** p = -M(H_ext - grad phi), A = dM/dH; returns int psi, that of the laminate. */
     double
     respond(const unsigned int lattice_cell,
-            PointVectors<dim> &flux,
-            PointMatrices<dim> &tangent) const override;
+            const MediumResponse response,
+            OctantVectors<dim> &flux,
+            OctantMatrices<dim> &tangent) const override;
 
-    /** The lattice cells and the quadrature points in them. */
+    double
+    stabilization(const unsigned int lattice_cell) const override;
+
+    double
+    largest_weak_tangent() const override
+    {
+      return largest_susceptibility;
+    }
+
+    /** The rule of the points. */
+    const CellQuadrature<dim, n_octants_1d> &
+    quadrature() const
+    {
+      return rule;
+    }
+
+    /** The lattice cells. */
     const LatticeCells<dim> &
     cells() const
     {
       return the_cells;
     }
 
-    /** Number of the first quadrature point of a lattice cell, or none where no material is. */
+    /** Number of the first of the n_octants<dim> points of a lattice cell, or none where no material is. */
     unsigned int
     first_point(const unsigned int lattice_cell) const
     {
@@ -103,7 +121,7 @@ namespace magmpm
      * at a time in the lanes of @p batch; further lanes repeat the last.
      *
      * @param first_point  of the cell.
-     * @param self_field   h at a point of the cell (0 .. n_points - 1) [A/m].
+     * @param self_field   h at a point of the cell (0 .. n_octants - 1) [A/m].
      */
     template <typename SelfField, typename Action>
     void
@@ -111,9 +129,20 @@ namespace magmpm
                 const SelfField &self_field,
                 const Action &action) const
     {
-      for (int first = 0; first < n_points<dim>; first += Lanes::n_lanes)
+      for_batches(law, first_point, self_field, action);
+    }
+
+    /** The same with another law for the same content. */
+    template <typename SelfField, typename Action>
+    void
+    for_batches(const MagnetizationModel &model,
+                const unsigned int first_point,
+                const SelfField &self_field,
+                const Action &action) const
+    {
+      for (int first = 0; first < n_octants<dim>; first += Lanes::n_lanes)
         {
-          const int n = std::min(Lanes::n_lanes, n_points<dim> - first);
+          const int n = std::min(Lanes::n_lanes, n_octants<dim> - first);
           Batch batch;
           MagneticContentOf<Lanes> content;
           Vector<dim, Lanes> normal, field;
@@ -132,7 +161,7 @@ namespace magmpm
                   field[d].lanes[lane]            = p.field[d] + h[d];
                 }
             }
-          batch.response = laminate_response(law, content, batch.fraction, normal, field);
+          batch.response = laminate_response(model, content, batch.fraction, normal, field);
           action(first, n, batch);
         }
     }
@@ -156,6 +185,13 @@ namespace magmpm
     number_density(const unsigned int point) const
     {
       return points[point].number_density;
+    }
+
+    /** The place of a point [m]. */
+    const Vector<dim> &
+    position(const unsigned int point) const
+    {
+      return points[point].position;
     }
 
     /** H of the sources [A/m]; zero at points without material. */
@@ -193,6 +229,7 @@ namespace magmpm
       double fraction        = 0.;
       double volume_fraction = 0.;
       double number_density  = 0.;
+      Vector<dim> position;
       Vector<dim> normal;
       Vector<dim> field;
       Matrix<dim> gradient;
@@ -204,15 +241,23 @@ namespace magmpm
     const bool is_sharp;
 
     LatticeCells<dim> the_cells;
+    const CellQuadrature<dim, n_octants_1d> rule;
+    const CellQuadrature<dim, 2 * n_octants_1d>
+      content_rule; ///< of whose points an octant has the mean
     SharpIndicator<dim> the_indicator;
     std::vector<unsigned int> first_points; ///< by cell
     std::vector<Point> points;
-    double total_weight = 0.;
+    double largest_susceptibility = 0.;
+    double total_weight           = 0.;
     Vector<dim> first_moment;
 
     /** Gives points to cells with content, for the smeared indicator. */
     void
     find_smeared_cells(const NodeField<dim, NodeContent> &content);
+
+    /** Content of the octants of a cell: the mean over each, smeared that at its point. */
+    PointValues<dim, n_octants_1d>
+    octant_content(const unsigned int cell, const NodeField<dim, NodeContent> &content) const;
 
     /** Completes the points of a cell. */
     void

@@ -68,11 +68,11 @@ namespace magmpm
     fraction(const double volume, const double full);
 
     /**
-     * nu at a point with this grad v [1/dx]. It loses its length where grad v vanishes, in the middle of
-     * isolated particles and thin sheets; its sign is that of material.
+     * nu where the mean of grad v (x) grad v [1/dx^2] is this: its principal direction, of either sign. It
+     * loses its length where grad v vanishes, in the middle of isolated particles.
      */
     static Vector<dim>
-    normal(const Vector<dim> &gradient);
+    normal(const Matrix<dim> &gradient_square);
 
     /** Owned nodes where w is at its lower bound although particles reach them: their f is too small. */
     unsigned long

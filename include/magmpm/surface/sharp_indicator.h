@@ -3,6 +3,7 @@
 #include <magmpm/lattice/lattice_cells.h>
 #include <magmpm/surface/sharp_fraction.h>
 
+#include <array>
 #include <functional>
 #include <limits>
 #include <vector>
@@ -10,7 +11,7 @@
 namespace magmpm
 {
   /**
-   * Where material is at the quadrature points of lattice cells: the fraction f and the normal nu of a
+   * Where material is in the octants of lattice cells: the fraction f and the normal nu of a
    * SharpFraction, and a correction q of the density of the material that makes its volume right,
    * locally,
    *
@@ -18,19 +19,26 @@ namespace magmpm
    *
    * with S three passes of smooth(). S is symmetric and keeps sums, so int q f is the volume of the
    * particles wherever the clip is idle.
+   *
+   * All of it is evaluated at the points of a rule of 2^dim points in an octant, of which the octant has
+   * the mean of f, that of q weighted with f, and as nu the principal direction of grad v (x) grad v. Then
+   * part of q < 1 goes to f, which leaves q f: f <- f (1 + (1 - f^4) (q - 1)). The position of an octant is
+   * its point of QGauss(2), moved as far as the centroid of its material lies from its middle; should
+   * that be excluded, the centroid.
    */
   template <int dim>
   class SharpIndicator
   {
   public:
-    /** Stands for the first point of a cell without material. */
+    /** Stands for the first octant of a cell without material. */
     static constexpr unsigned int none = std::numeric_limits<unsigned int>::max();
 
-    struct Point
+    struct Octant
     {
       double fraction   = 0.; ///< f
       double correction = 1.; ///< q
       Vector<dim> normal;     ///< nu; zero in cells that have no surface
+      Vector<dim> position;   ///< where its material is met by the field of sources [m]
     };
 
     /**
@@ -47,17 +55,17 @@ namespace magmpm
            const NodeField<dim, SingleScalar> &volumes,
            const std::function<bool(const Vector<dim> &)> &is_excluded);
 
-    /** Number of the first of the n_points<dim> points of each cell, or none. */
+    /** Number of the first of the n_octants<dim> octants of each cell, or none. */
     const std::vector<unsigned int> &
-    first_points() const
+    first_octants() const
     {
-      return first_point_of_cell;
+      return first_octant_of_cell;
     }
 
-    const Point &
-    point(const unsigned int number) const
+    const Octant &
+    octant(const unsigned int number) const
     {
-      return points[number];
+      return octants[number];
     }
 
     /** Owned nodes where f is too small, see SharpFraction. */
@@ -75,17 +83,31 @@ namespace magmpm
     }
 
   private:
+    using Rule           = CellQuadrature<dim, 2 * n_octants_1d>;
+    using PointFractions = std::array<double, Rule::size()>;
+    using IsExcluded     = std::function<bool(const Vector<dim> &)>;
+
     SharpFraction<dim> sharp;
-    std::vector<unsigned int> first_point_of_cell;
-    std::vector<Point> points;
+    std::vector<unsigned int> first_octant_of_cell;
+    std::vector<Octant> octants;
+    std::vector<PointFractions> fractions; ///< by cell with material
     unsigned long clipped_corrections = 0;
 
-    /** Gives points with f to a cell, if there is any material in it, and adds int f N_i over dx^dim. */
-    void
+    /** f at the points of a cell. @return whether there is any material. */
+    bool
     find_fractions(const LatticeCells<dim> &cells,
+                   const Rule &rule,
                    const unsigned int cell,
-                   const std::function<bool(const Vector<dim> &)> &is_excluded,
-                   NodeField<dim, SingleScalar> &tested_fraction);
+                   const IsExcluded &is_excluded,
+                   PointFractions &f) const;
+
+    /** Gives octants with f and positions to a cell with material, and adds int f N_i over dx^dim. */
+    void
+    add_cell(const LatticeCells<dim> &cells,
+             const Rule &rule,
+             const unsigned int cell,
+             const IsExcluded &is_excluded,
+             NodeField<dim, SingleScalar> &tested_fraction);
 
     /**
      * Makes q on nodes, ghosts too, of int f N_i over dx^dim from the cells of this rank.
@@ -97,10 +119,15 @@ namespace magmpm
                     const NodeField<dim, SingleScalar> &volumes,
                     NodeField<dim, SingleScalar> &field);
 
-    /** q and nu at the points of a cell with material. */
+    /** q in the octants of a cell with material. */
     void
-    complete_points(const LatticeCells<dim> &cells,
+    correct_octants(const LatticeCells<dim> &cells,
+                    const Rule &rule,
                     const unsigned int cell,
                     const NodeField<dim, SingleScalar> &correction);
+
+    /** nu in the octants of a cell that has a surface. */
+    void
+    find_normals(const LatticeCells<dim> &cells, const Rule &rule, const unsigned int cell);
   };
 } // namespace magmpm
