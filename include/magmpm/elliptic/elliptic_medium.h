@@ -35,8 +35,8 @@ namespace magmpm
    * It is evaluated at one point in each octant. Along a normal, grad phi is linear in a cell: two
    * numbers, which can meet the jumps of a medium at two points. At more it locks, that is, thin
    * plates and whatever is strongly permeable become too stiff. These points do not see some potentials
-   * of a cell, such as P_2(x) P_2(y), which vacuum alone then holds; where the medium is about the same in
-   * all of a cell, stabilization() gives them a part of its stiffness.
+   * of a cell, such as P_2(x) P_2(y), which vacuum alone then holds; stabilization() gives them a part of the
+   * medium's stiffness.
    */
   template <int dim>
   class EllipticMedium
@@ -57,8 +57,8 @@ namespace magmpm
      *
      * @param response  that of weak fields gives a start for Newton's method: from the other side, where a
      *                  medium is saturated and says little of its stiffness, steps overshoot.
-     * @param flux     grad phi on entry, p on return.
-     * @param tangent  A on return.
+     * @param flux      grad phi on entry, p on return.
+     * @param tangent   A on return.
      * @return the integral of the energy density of p over the cell.
      */
     virtual double

@@ -4,11 +4,11 @@
 
 namespace magmpm
 {
-  /** The magnetic medium at one quadrature point. */
+  /** The magnetic medium in one octant of a mesh cell. */
   template <int dim>
   struct MaterialSample
   {
-    Vector<dim> position;      ///< [m]
+    Vector<dim> position;      ///< where H of the sources is taken [m]
     double weight;             ///< of the quadrature [m^dim]
     double fraction;           ///< of the volume that is magnetic material [-]
     Vector<dim> field;         ///< H, the total one, in the material [A/m]

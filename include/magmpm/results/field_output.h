@@ -23,7 +23,7 @@ namespace magmpm
    * lists the frames so far and is what a user opens. Quantities (field_quantities()) are called
    * "name [unit]". All are values at the nodes of FE_Q(2), each cell cut in 2^dim, in single precision; H_int, which
    * jumps between cells, is averaged there, so that field lines drawn by a stream tracer are continuous. M and the density
-   * of grains are means over the quadrature points around a node.
+   * of grains are means over the octants around a node.
    */
   template <int dim>
   class FieldOutput
