@@ -77,7 +77,7 @@ TEST_CASE("The torque on a spheroid is as accurate as promised", "[verification]
 }
 
 // Where the susceptibility is 10 a rule that locks makes a sphere of R = 8 dx 2.5 % too strong, a plate of 2 dx
-// 24 % and the force over a gap of 4 dx 25 %. Material in the octants leaves 0.3, 1.4 and 1.6 %.
+// 15 % and the force over a gap of 4 dx 7 %. Material in the octants leaves 0.3, 1.4 and 1.6 %.
 TEST_CASE("Permeable bodies do not lock", "[verification]")
 {
   AccuracyCase permeable;
