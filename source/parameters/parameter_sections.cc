@@ -1,3 +1,4 @@
+#include <magmpm/base/number_text.h>
 #include <magmpm/parameters/attraction_section.h>
 #include <magmpm/parameters/body_section.h>
 #include <magmpm/parameters/checkpoint_section.h>
@@ -60,6 +61,23 @@ namespace magmpm
       names.swap(known);
     }
 
+    /** What the cells of the potential do not resolve, whatever the shape (doc/accuracy.md). */
+    template <int dim>
+    void
+    warn_of_permeable(const ParameterRegister &declarations, Parameters<dim> &parameters)
+    {
+      constexpr double well_resolved = 50.;
+      for (const MaterialParameters &material : parameters.materials)
+        if (material.magnetic.initial_susceptibility > well_resolved)
+          parameters.warnings.push_back(
+            declarations.where("Materials/List of materials") +
+            ": the initial susceptibility of '" + material.name + "' is " +
+            to_text(material.magnetic.initial_susceptibility) +
+            ". Its moments and forces are too large where a body is not many cells thick: for a "
+            "radius of 8 cells by 3 % at 100 and 13 % at 1000, at small gaps by more. A smaller "
+            "'Cell size' helps, or 'Potential cell size = dx'.");
+    }
+
     /** What is allowed but probably not meant. */
     template <int dim>
     void
@@ -87,6 +105,7 @@ namespace magmpm
                          }))
           parameters.warnings.push_back(declarations.where("Materials/List of materials") +
                                         ": no body is made of '" + material.name + "'.");
+      warn_of_permeable(declarations, parameters);
     }
   } // namespace
 

@@ -186,6 +186,25 @@ TEST_CASE("What a scene does not need, it need not give", "[parameters]")
         "magnet pulls.");
 }
 
+// What the cells cannot resolve, however the bodies are shaped, is said before a run: steel, but no rubber
+// or ferrofluid.
+TEST_CASE("A susceptibility that is not resolved is warned of", "[parameters]")
+{
+  const auto warnings = [](const std::string &susceptibility) {
+    return read<3>(cube_text,
+                   {"Materials/clay/Grain moment=",
+                    "Materials/clay/Grain number density=",
+                    "Magnetics/Magnetization law=linear",
+                    "Materials/clay/Initial susceptibility=" + susceptibility})
+      .warnings;
+  };
+  CHECK(warnings("50").empty());
+  REQUIRE(warnings("1000").size() == 1);
+  CHECK_THAT(warnings("1000")[0],
+             Catch::Matchers::Contains("the initial susceptibility of 'clay' is 1000") &&
+               Catch::Matchers::Contains("Potential cell size = dx"));
+}
+
 // A magnet that is taken off its list is left out with a warning, and that nothing magnetizes is a
 // second one. Both are allowed, so that a magnet can be switched off on the command line.
 TEST_CASE("Magnets can be switched off in their list", "[parameters]")
