@@ -14,8 +14,7 @@ endif()
 
 # The sources that reach no header of deal.II, which costs more than they do; a room as one file, since the
 # headers that its sources share cost more than the sources, too: names local to a source must differ within
-# a room. Rooms of which a source reaches Trilinos
-# are left out for the same reason.
+# a room. Rooms of which a source reaches Trilinos are left out for the same reason.
 set(clang_tidy_folder ${CMAKE_CURRENT_BINARY_DIR}/clang_tidy)
 
 # Writes the one file of each room; all of them into RESULT.

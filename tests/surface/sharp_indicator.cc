@@ -127,9 +127,8 @@ TEMPLATE_TEST_CASE_SIG("The medium has the volume of the particles",
 }
 
 // Inside a body the fraction is 1, outside 0, and between them it falls within little more than one dx and
-// the octant that has its mean, at the right place, which the second moment of a sphere tells. That of an
-// octant about its middle is dx^2/12 along each axis; and since material is on the inner side of the octants
-// that hold the surface, all of them together have more, by 1.4 % of R^2 dim/(dim + 2) at R = 8 dx.
+// the octant that has its mean, at the right place, which the second moment of a sphere about its centre tells:
+// that of the fractions that the sphere itself has in the same octants, as counted by points.
 TEMPLATE_TEST_CASE_SIG("The surface is sharp and in place",
                        "[surface][mpi]",
                        ((int dim), dim),
@@ -139,13 +138,14 @@ TEMPLATE_TEST_CASE_SIG("The surface is sharp and in place",
   const SampledBody<dim> body = test_sphere<dim>(8.);
   const Vector<dim> centre    = 0.5 * (body.lower + body.upper);
   const Medium<dim> medium({body});
-  const double reach  = 0.8 + 0.5 * std::sqrt(static_cast<double>(dim)); // [dx]
-  const auto distance = [&](const Vector<dim> &x) {
-    Vector<dim> middle;
+  const double reach = 0.8 + 0.5 * std::sqrt(static_cast<double>(dim)); // [dx]
+  const auto middle  = [&](const Vector<dim> &x) {
+    Vector<dim> m;
     for (int d = 0; d < dim; ++d)
-      middle[d] = (std::floor(x[d] / spacing) + 0.5) * spacing;
-    return norm(middle - centre) / spacing;
+      m[d] = (std::floor(x[d] / spacing) + 0.5) * spacing;
+    return m;
   };
+  const auto distance  = [&](const Vector<dim> &x) { return norm(middle(x) - centre) / spacing; };
   const double inside  = medium.integrate([&](const unsigned int point, const auto &x) {
     return distance(x) < 8. - reach ? std::abs(medium.points->fraction(point) - 1.) : 0.;
   });
@@ -156,12 +156,27 @@ TEMPLATE_TEST_CASE_SIG("The surface is sharp and in place",
   CHECK(inside <= 0.05 * volume);
   CHECK(outside <= 0.05 * volume);
 
-  const double square = medium.integrate([&](const unsigned int point, const auto &x) {
-    return medium.points->fraction(point) * (distance(x) * distance(x) + dim / 12.);
-  }) / medium.integrate([&](const unsigned int point, const auto &) {
+  const auto square = [&](const auto &fraction) {
+    return medium.integrate([&](const unsigned int point, const auto &x) {
+      return fraction(point, x) * distance(x) * distance(x);
+    }) / medium.integrate(fraction);
+  };
+  const auto of_medium = [&](const unsigned int point, const auto &) {
     return medium.points->fraction(point);
-  });
-  CHECK(square == Approx(1.0143 * 64. * dim / (dim + 2.)).epsilon(2e-3));
+  };
+  const auto of_sphere = [&](const unsigned int, const Vector<dim> &x) {
+    constexpr int n_edge = 8;
+    int n_inside         = 0;
+    for (int i = 0; i < power(n_edge, dim); ++i)
+      {
+        Vector<dim> y = middle(x);
+        for (int d = 0, rest = i; d < dim; ++d, rest /= n_edge)
+          y[d] += ((rest % n_edge + 0.5) / n_edge - 0.5) * spacing;
+        n_inside += norm(y - centre) < 8. * spacing;
+      }
+    return n_inside / static_cast<double>(power(n_edge, dim));
+  };
+  CHECK(square(of_medium) == Approx(square(of_sphere)).epsilon(4e-3));
 }
 
 // A shielded wall is a mirror: a half sphere on it is the same medium as the half of a whole one. Its
