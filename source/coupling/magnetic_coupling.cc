@@ -54,6 +54,7 @@ namespace magmpm
   void
   MagneticCoupling<dim>::update(const Clock &clock, std::vector<Body<dim>> &bodies)
   {
+    work                    = 0.;
     memory.solved_this_step = false;
     if (!is_active())
       return;
@@ -69,6 +70,21 @@ namespace magmpm
   {
     memory.age.drift += way;
     memory.age.path += way;
+  }
+
+  template <int dim>
+  void
+  MagneticCoupling<dim>::find_work(const std::vector<Body<dim>> &bodies)
+  {
+    for (const Body<dim> &body : bodies)
+      work += work_since_solve(memory.age.carried_way, body);
+  }
+
+  template <int dim>
+  void
+  MagneticCoupling<dim>::reduce(parallel::Reduction &reduction)
+  {
+    reduction.sum(work);
   }
 
   template <int dim>
@@ -217,15 +233,7 @@ namespace magmpm
     partition->add_ghosts_to_owners(masses, Parity());
     partition->update_ghosts(masses);
     memory.dropped_force = problem->compute_force(masses, force);
-    for_nodes(blocks, [&](const int slot, const int n) {
-      const double mass  = masses.get(SingleScalar::value, slot, n);
-      Vector<dim> vector = force.get(SingleVector::value, slot, n);
-      for (int d = 0; d < dim; ++d)
-        vector[d] = (mass > 0. ? vector[d] / mass : 0.);
-      force.set(SingleVector::value, slot, n, vector);
-    });
-    partition->update_ghosts(force);
-    return force;
+    return accelerations_to_carry(*partition, parameters.lattice, masses, force, bodies);
   }
 
   template <int dim>

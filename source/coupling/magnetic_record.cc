@@ -52,7 +52,9 @@ namespace magmpm
       return
         [this, value]() -> double { return memory.solved_this_step ? value(memory.report) : 0; };
     };
-    table.add("magnetic energy", ColumnUnits<dim>::energy, [this] { return memory.report.energy; });
+    table.add("magnetic energy", ColumnUnits<dim>::energy, [this] {
+      return memory.report.energy - work;
+    });
     table.add("magnetic solves", "", [this] { return memory.n_solves; });
     table.add("Newton steps", "", solved([](const auto &report) { return report.newton.steps; }));
     table.add("line search steps", "", solved([](const auto &report) {

@@ -53,6 +53,24 @@ namespace magmpm
   }
 
   template <int dim>
+  std::vector<WayOut<dim>>
+  BoxShape<dim>::ways_out(const Vector<dim> &point) const
+  {
+    const double beyond = 1e-9 * norm(box.upper - box.lower);
+    std::vector<Vector<dim>> places;
+    std::vector<double> depths;
+    for (int d = 0; d < dim; ++d)
+      for (const bool is_upper : {false, true})
+        {
+          const double face = (is_upper ? box.upper : box.lower)[d];
+          places.push_back(point);
+          places.back()[d] = face + (is_upper ? beyond : -beyond);
+          depths.push_back(std::abs(face - point[d]));
+        }
+    return ways_by_faces(places, depths, beyond);
+  }
+
+  template <int dim>
   BoundingBox<dim>
   BoxShape<dim>::bounding_box() const
   {

@@ -63,6 +63,22 @@ namespace magmpm
                                       : SurfaceDistance<3>{beyond_mantle, radial};
   }
 
+  std::vector<WayOut<3>>
+  CylinderShape::ways_out(const Vector<3> &point) const
+  {
+    const double beyond       = 1e-9 * std::hypot(radius, length);
+    const Vector<3> r         = point - centre;
+    const double along        = dot(r, direction);
+    const Vector<3> from_axis = r - along * direction;
+    const double distance     = norm(from_axis);
+    const Vector<3> radial    = distance > 0. ? (1. / distance) * from_axis : across;
+    return ways_by_faces<3>({point + (radius - distance + beyond) * radial,
+                             point + (0.5 * length - along + beyond) * direction,
+                             point - (0.5 * length + along + beyond) * direction},
+                            {radius - distance, 0.5 * length - along, 0.5 * length + along},
+                            beyond);
+  }
+
   BoundingBox<3>
   CylinderShape::bounding_box() const
   {

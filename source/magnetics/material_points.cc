@@ -1,5 +1,6 @@
 #include <magmpm/lattice/node_window.h>
 #include <magmpm/magnetics/material_points.h>
+#include <magmpm/magnets/continued_field.h>
 
 #include <algorithm>
 
@@ -35,10 +36,7 @@ namespace magmpm
         });
         the_indicator.reinit(partition, the_cells, volumes, [&sources](const Vector<dim> &x) {
           // At all points of the octants, since their own may miss a small core.
-          const bool is_excluded = sources.is_solid(x);
-          if (!is_excluded)
-            sources.check_material_at(x);
-          return is_excluded;
+          sources.check_material_at(x);
         });
         first_points = the_indicator.first_octants();
       }
@@ -129,8 +127,10 @@ namespace magmpm
         largest_susceptibility = std::max(largest_susceptibility,
                                           point.content.initial_susceptibility);
         sources.check_material_at(point.position);
-        point.field    = sources.field(point.position);
-        point.gradient = sources.field_gradient(point.position);
+        const LocalField<dim> local = ContinuedField<dim>(sources).at(point.position,
+                                                                      0.5 * the_cells.spacing());
+        point.field                 = local.field;
+        point.gradient              = local.gradient;
       }
     add_magnetized_weight(cell);
   }

@@ -1,6 +1,9 @@
 #include <magmpm/base/constants.h>
 #include <magmpm/magnetics/source_reaction.h>
+#include <magmpm/magnets/continued_field.h>
 #include <magmpm/parallel/reduce.h>
+
+#include <cmath>
 
 namespace magmpm
 {
@@ -10,6 +13,7 @@ namespace magmpm
                        const ExternalField<dim> &sources,
                        const MPI_Comm communicator)
   {
+    const ContinuedField<dim> continued(sources);
     std::vector<ForceAndTorque<dim>> reactions;
     for (const auto &source : sources.sources())
       {
@@ -20,10 +24,12 @@ namespace magmpm
               break;
             const Vector<dim> moment = (constants::vacuum_permeability * sample.weight) *
                                        sample.magnetization;
-            const Vector<dim> force = source->field_gradient(sample.position) * moment;
+            const LocalField<dim> local =
+              continued.of(*source, sample.position, std::pow(sample.weight, 1. / dim));
+            const Vector<dim> force = local.gradient * moment;
             sum.force -= force;
             sum.torque -= cross(sample.position - source->pose().position, force) +
-                          cross(moment, source->field(sample.position));
+                          cross(moment, local.field);
           }
         reactions.push_back(sum);
       }

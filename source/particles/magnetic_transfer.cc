@@ -11,6 +11,24 @@ namespace magmpm
   namespace
   {
     constexpr auto magnetic_bodies = [](const auto &body) { return body.magnetic.is_magnetic(); };
+
+    /** From one arena to the other by way of the particles of a run. */
+    template <int dim>
+    [[gnu::flatten]] void
+    carry_run(const ParticleRun<dim> &run, const double *accelerations, double *forces)
+    {
+      StencilBatch<dim> stencils;
+      NodeLanes of_particle[batch_size];
+      for_each_batch(run, [&](const std::size_t first, const int n) {
+        place_stencils(run, first, n, stencils);
+        gather_batch(stencils, n, accelerations, [&](const int p, const auto &rows) {
+          of_particle[p] = run.particles.mass[first + p] * sum_constant(stencils, rows, p);
+        });
+        scatter_batch(stencils, n, forces, [&](const int p, auto &rows) {
+          add_constant(stencils, of_particle[p], p, rows);
+        });
+      });
+    }
   } // namespace
 
   template <int dim>
@@ -63,6 +81,31 @@ namespace magmpm
 
   template <int dim>
   void
+  carried_force_on_lattice(std::vector<Body<dim>> &bodies,
+                           const BlockSet<dim> &blocks,
+                           const Lattice<dim> &lattice,
+                           const NodeField<dim, SingleVector> &accelerations,
+                           NodeField<dim, SingleVector> &forces)
+  {
+    Arena<dim> from, to;
+    forces.set_zero();
+    for_each_run(
+      bodies,
+      blocks,
+      lattice,
+      magnetic_bodies,
+      [&](const int slot) {
+        from.load(accelerations, blocks, slot);
+        to.set_zero();
+      },
+      [&](const std::size_t, const ParticleRun<dim> &run) {
+        carry_run(run, from.data(), to.data());
+      },
+      [&](const int slot) { to.add_to(forces, blocks, slot); });
+  }
+
+  template <int dim>
+  void
   interpolate_to_particles(const NodeField<dim, SingleVector> &field,
                            const BlockSet<dim> &blocks,
                            const Lattice<dim> &lattice,
@@ -95,6 +138,11 @@ namespace magmpm
                                               const BlockSet<dim> &,                \
                                               const Lattice<dim> &,                 \
                                               NodeField<dim, SingleScalar> &);      \
+  template void carried_force_on_lattice<dim>(std::vector<Body<dim>> &,             \
+                                              const BlockSet<dim> &,                \
+                                              const Lattice<dim> &,                 \
+                                              const NodeField<dim, SingleVector> &, \
+                                              NodeField<dim, SingleVector> &);      \
   template void interpolate_to_particles<dim>(const NodeField<dim, SingleVector> &, \
                                               const BlockSet<dim> &,                \
                                               const Lattice<dim> &,                 \

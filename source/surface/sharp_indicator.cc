@@ -61,7 +61,7 @@ namespace magmpm
   SharpIndicator<dim>::reinit(const BlockPartition<dim> &partition,
                               const LatticeCells<dim> &cells,
                               const NodeField<dim, SingleScalar> &volumes,
-                              const IsExcluded &is_excluded)
+                              const Check &check)
   {
     const Rule rule = cells.template quadrature<2 * n_octants_1d>();
     sharp.reinit(partition, volumes);
@@ -72,7 +72,7 @@ namespace magmpm
     NodeField<dim, SingleScalar> field(partition.blocks().size()); // int f N_i, then q
     for (unsigned int cell = 0; cell < cells.size(); ++cell)
       if (cells.is_active(cell))
-        add_cell(cells, rule, cell, is_excluded, field);
+        add_cell(cells, rule, cell, check, field);
     find_correction(partition, volumes, field);
     for (unsigned int cell = 0; cell < cells.size(); ++cell)
       if (first_octant_of_cell[cell] != none)
@@ -87,7 +87,7 @@ namespace magmpm
   SharpIndicator<dim>::find_fractions(const LatticeCells<dim> &cells,
                                       const Rule &rule,
                                       const unsigned int cell,
-                                      const IsExcluded &is_excluded,
+                                      const Check &check,
                                       PointFractions &f) const
   {
     using Nodes = typename SharpFraction<dim>::Nodes;
@@ -106,8 +106,8 @@ namespace magmpm
       {
         f[q] = SharpFraction<dim>::fraction(values.get(Nodes::volume, q),
                                             values.get(Nodes::full, q));
-        if (f[q] > 0. && is_excluded(cells.position(cell) + rule.offset(q)))
-          f[q] = 0.;
+        if (f[q] > 0.)
+          check(cells.position(cell) + rule.offset(q));
         has_material = has_material || f[q] > 0.;
       }
     return has_material;
@@ -118,11 +118,11 @@ namespace magmpm
   SharpIndicator<dim>::add_cell(const LatticeCells<dim> &cells,
                                 const Rule &rule,
                                 const unsigned int cell,
-                                const IsExcluded &is_excluded,
+                                const Check &check,
                                 NodeField<dim, SingleScalar> &tested_fraction)
   {
     PointFractions f;
-    if (!find_fractions(cells, rule, cell, is_excluded, f))
+    if (!find_fractions(cells, rule, cell, check, f))
       return;
 
     std::array<Octant, n_octants<dim>> here;
@@ -141,8 +141,6 @@ namespace magmpm
           const Vector<dim> centroid = (1. / here[octant].fraction) * moments[octant];
           here[octant].position      = cells.position(cell) + points.offset(octant) + centroid -
                                   middles[octant];
-          if (is_excluded(here[octant].position))
-            here[octant].position = cells.position(cell) + centroid;
         }
     first_octant_of_cell[cell] = static_cast<unsigned int>(octants.size());
     octants.insert(octants.end(), here.begin(), here.end());

@@ -1,3 +1,4 @@
+#include <magmpm/coupling/carried_force.h>
 #include <magmpm/lattice/node_window.h>
 #include <magmpm/particles/magnetic_transfer.h>
 #include <magmpm/particles/particle_grid_transfer.h>
@@ -136,14 +137,8 @@ namespace magmpm::verification
   void
   ParticleSetup<dim>::hand_force_to_particles(const NodeField<dim, SingleScalar> &mass)
   {
-    NodeField<dim, SingleVector> acceleration(partition.blocks().size());
-    for_nodes(partition.blocks(), [&](const int slot, const int n) {
-      const double m = mass.get(SingleScalar::value, slot, n);
-      if (m > 0.)
-        acceleration.set(
-          SingleVector::value, slot, n, (1. / m) * node_force.get(SingleVector::value, slot, n));
-    });
-    partition.update_ghosts(acceleration);
+    const NodeField<dim, SingleVector> acceleration =
+      accelerations_to_carry(partition, lattice, mass, node_force, bodies);
     interpolate_to_particles(
       acceleration, partition.blocks(), lattice, ParticleProperty::magnetic_acceleration, bodies);
   }

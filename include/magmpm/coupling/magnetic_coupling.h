@@ -123,6 +123,13 @@ namespace magmpm
     void
     note_motion(const double way);
 
+    /** Finds what the carried force did since the last solve, for this step's row; reduce() sums it. */
+    void
+    find_work(const std::vector<Body<dim>> &bodies);
+
+    void
+    reduce(parallel::Reduction &reduction) override;
+
     /** Makes an end of the magnets: particles carry no force of them, and the potential is not solved again. */
     void
     end(std::vector<Body<dim>> &bodies);
@@ -228,5 +235,6 @@ namespace magmpm
     std::optional<unsigned int> mesh_of_last_solve; ///< its revision
 
     MagneticState<dim> memory;
+    double work = 0.; ///< of the carried force since the last solve, if this step has a row [J]
   };
 } // namespace magmpm

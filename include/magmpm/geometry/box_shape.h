@@ -18,6 +18,10 @@ namespace magmpm
     SurfaceDistance<dim>
     surface_distance(const Vector<dim> &point) const override;
 
+    /** One on each face, weighted with depth^-2. */
+    std::vector<WayOut<dim>>
+    ways_out(const Vector<dim> &point) const override;
+
     BoundingBox<dim>
     bounding_box() const override;
 

@@ -25,6 +25,10 @@ namespace magmpm
     SurfaceDistance<3>
     surface_distance(const Vector<3> &point) const override;
 
+    /** By the mantle and both ends. */
+    std::vector<WayOut<3>>
+    ways_out(const Vector<3> &point) const override;
+
     BoundingBox<3>
     bounding_box() const override;
 

@@ -24,6 +24,24 @@ namespace magmpm
     Vector<dim> normal; ///< of length 1, outward, at the nearest point
   };
 
+  /** A place just outside of a shape that a point inside may leave it to. */
+  template <int dim>
+  struct WayOut
+  {
+    Vector<dim> place;
+    double weight; ///< of this place among all; they sum to 1
+  };
+
+  /**
+   * The ways out of a point inside by several faces: @p depths [m] below each, weights depth^-2. Close to
+   * a face it alone counts.
+   */
+  template <int dim>
+  std::vector<WayOut<dim>>
+  ways_by_faces(const std::vector<Vector<dim>> &places,
+                const std::vector<double> &depths,
+                const double least_depth);
+
   /** Volume and its moments, of a shape filled with density 1; in 2D per metre of depth. */
   template <int dim>
   struct VolumeMoments
@@ -58,6 +76,15 @@ namespace magmpm
     /** Exact but for a mesh (MeshShape), and quick: to be asked in each step. */
     virtual SurfaceDistance<dim>
     surface_distance(const Vector<dim> &point) const = 0;
+
+    /**
+     * Of a point inside: places just outside, with weights. What is continuous outside, taken there and
+     * averaged, goes on continuously inside, and has the same values on both sides of the surface. That is
+     * the nearest place where it changes smoothly with the point; at a shape with edges it jumps, and the
+     * faces take turns.
+     */
+    virtual std::vector<WayOut<dim>>
+    ways_out(const Vector<dim> &point) const;
 
     virtual BoundingBox<dim>
     bounding_box() const = 0;

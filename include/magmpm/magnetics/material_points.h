@@ -20,8 +20,8 @@ namespace magmpm
    * where material is.
    *
    * With the sharp indicator a point is a laminate of a fraction f of material and vacuum, with layers
-   * across nu = grad v/|grad v|; content is that of the material, q P2G(..)/P2G(volume). No material is
-   * inside solid sources, and the correction q leaves these points out (SharpIndicator).
+   * across nu = grad v/|grad v|; content is that of the material, q P2G(..)/P2G(volume). What is pressed into
+   * a solid source counts as all material does, in a field that goes on there (ContinuedField).
    *
    * With the smeared one it is all material, of the content that P2G spreads, as in the paper.
    */
@@ -194,14 +194,14 @@ namespace magmpm
       return points[point].position;
     }
 
-    /** H of the sources [A/m]; zero at points without material. */
+    /** H~ of the sources (ContinuedField) [A/m]; zero at points without material. */
     const Vector<dim> &
     source_field(const unsigned int point) const
     {
       return points[point].field;
     }
 
-    /** dH_i/dx_j of the sources [A/m^2]; zero at points without material. */
+    /** G~ of the sources, likewise [A/m^2]. */
     const Matrix<dim> &
     source_gradient(const unsigned int point) const
     {

@@ -27,6 +27,21 @@ namespace magmpm
                            const Lattice<dim> &lattice,
                            NodeField<dim, SingleScalar> &mass);
 
+  /**
+   * What magnetic particles that take an acceleration from the nodes give back to them as force:
+   *   sum_p m_p N_ip sum_j N_jp a_j.
+   *
+   * @param accelerations  ghosts up to date.
+   * @param forces         on return the sums over this rank's particles, also on ghosts.
+   */
+  template <int dim>
+  void
+  carried_force_on_lattice(std::vector<Body<dim>> &bodies,
+                           const BlockSet<dim> &blocks,
+                           const Lattice<dim> &lattice,
+                           const NodeField<dim, SingleVector> &accelerations,
+                           NodeField<dim, SingleVector> &forces);
+
   /** What a vector on the nodes becomes on magnetic particles. */
   template <int dim>
   void

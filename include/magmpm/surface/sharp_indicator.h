@@ -23,8 +23,7 @@ namespace magmpm
    * All of it is evaluated at the points of a rule of 2^dim points in an octant, of which the octant has
    * the mean of f, that of q weighted with f, and as nu the principal direction of grad v (x) grad v. Then
    * part of q < 1 goes to f, which leaves q f: f <- f (1 + (1 - f^4) (q - 1)). The position of an octant is
-   * its point of QGauss(2), moved as far as the centroid of its material lies from its middle; should
-   * that be excluded, the centroid.
+   * its point of QGauss(2), moved as far as the centroid of its material lies from its middle.
    */
   template <int dim>
   class SharpIndicator
@@ -44,16 +43,15 @@ namespace magmpm
     /**
      * Finds all of it. Collective.
      *
-     * @param volumes      P2G of the particle volumes over dx^dim, with its images behind shielded walls,
-     *                     ghosts updated.
-     * @param is_excluded  whether a place [m] is no place for material, although particles may be there;
-     *                     the correction makes up for it.
+     * @param volumes  P2G of the particle volumes over dx^dim, with its images behind shielded walls,
+     *                 ghosts updated.
+     * @param check    called with places [m] where material is found, all over the octants; it may throw.
      */
     void
     reinit(const BlockPartition<dim> &partition,
            const LatticeCells<dim> &cells,
            const NodeField<dim, SingleScalar> &volumes,
-           const std::function<bool(const Vector<dim> &)> &is_excluded);
+           const std::function<void(const Vector<dim> &)> &check);
 
     /** Number of the first of the n_octants<dim> octants of each cell, or none. */
     const std::vector<unsigned int> &
@@ -85,7 +83,7 @@ namespace magmpm
   private:
     using Rule           = CellQuadrature<dim, 2 * n_octants_1d>;
     using PointFractions = std::array<double, Rule::size()>;
-    using IsExcluded     = std::function<bool(const Vector<dim> &)>;
+    using Check          = std::function<void(const Vector<dim> &)>;
 
     SharpFraction<dim> sharp;
     std::vector<unsigned int> first_octant_of_cell;
@@ -98,7 +96,7 @@ namespace magmpm
     find_fractions(const LatticeCells<dim> &cells,
                    const Rule &rule,
                    const unsigned int cell,
-                   const IsExcluded &is_excluded,
+                   const Check &check,
                    PointFractions &f) const;
 
     /** Gives octants with f and positions to a cell with material, and adds int f N_i over dx^dim. */
@@ -106,7 +104,7 @@ namespace magmpm
     add_cell(const LatticeCells<dim> &cells,
              const Rule &rule,
              const unsigned int cell,
-             const IsExcluded &is_excluded,
+             const Check &check,
              NodeField<dim, SingleScalar> &tested_fraction);
 
     /**
