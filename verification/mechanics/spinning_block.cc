@@ -11,7 +11,7 @@ namespace magmpm::verification
   namespace
   {
     std::string
-    scene(const int cells)
+    scene(const int cells, const std::string &transfer)
     {
       return R"(
 set Dimension = 3
@@ -37,6 +37,8 @@ subsection Materials
   subsection rubber
     set Young's modulus = 1e5
     set Poisson ratio   = 0.3
+    set Transfer        = )" +
+             transfer + R"(
   end
 end
 subsection Output
@@ -48,9 +50,10 @@ end
   } // namespace
 
   double
-  angular_momentum_error(const int cells)
+  angular_momentum_error(const int cells, const std::string &transfer)
   {
-    const Statistics statistics(run_scene("spinning-block-" + std::to_string(cells), scene(cells)));
+    const Statistics statistics(
+      run_scene("spinning-block-" + std::to_string(cells), scene(cells, transfer)));
     double square = 0., change = 0.;
     for (const char axis : {'x', 'y', 'z'})
       {

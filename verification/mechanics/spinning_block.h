@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 namespace magmpm::verification
 {
   /**
@@ -9,5 +11,5 @@ namespace magmpm::verification
    * @return the largest change of a component over the size of the angular momentum.
    */
   double
-  angular_momentum_error(const int cells);
+  angular_momentum_error(const int cells, const std::string &transfer);
 } // namespace magmpm::verification
