@@ -54,6 +54,13 @@ namespace
     double plain, kernels;
   };
 
+  bool
+  is_solid(const FallingBlock &block)
+  {
+    return std::visit([](const auto &law) { return law.stores_deformation_gradient; },
+                      block.bodies[0].material);
+  }
+
   /** Measures both codes on a block and prints what they took. */
   Cost
   measure(const FallingBlock &block, const StepOptions &options)
@@ -61,15 +68,20 @@ namespace
     const std::size_t n_particles = block.bodies[0].particles.size();
     const MemoryGrowth memory;
     const auto kernels = make_kernel_step(block);
-    std::vector<PhaseTimes> kernel_times, plain_times;
+    std::vector<PhaseTimes> kernel_times, plain_times, fmpm_times;
     time_of_steps(*kernels, options.steps);
     const double bytes = memory.bytes() / static_cast<double>(n_particles);
     const auto plain   = make_plain_step(block);
     time_of_steps(*plain, options.steps);
+    const auto fmpm = is_solid(block) ? make_kernel_step(block, Transfer::fmpm) : nullptr;
+    if (fmpm)
+      time_of_steps(*fmpm, options.steps);
     for (int n = 0; n < options.repeats; ++n)
       {
         plain_times.push_back(time_of_steps(*plain, options.steps));
         kernel_times.push_back(time_of_steps(*kernels, options.steps));
+        if (fmpm)
+          fmpm_times.push_back(time_of_steps(*fmpm, options.steps));
       }
 
     std::printf(
@@ -81,6 +93,8 @@ namespace
     Cost cost;
     cost.plain   = print_row("plain loop", plain_times, per_step);
     cost.kernels = print_row("magmpm", kernel_times, per_step);
+    if (fmpm)
+      print_row("magmpm, FMPM", fmpm_times, per_step);
     std::printf("ratio %.3f; %.0f B of memory per particle\n", cost.kernels / cost.plain, bytes);
     std::fflush(stdout);
     return cost;

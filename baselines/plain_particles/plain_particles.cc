@@ -16,6 +16,7 @@ namespace magmpm::baselines
     {
       std::size_t first = 0;
       double weights[dim][stencil_width];
+      double slopes[dim][stencil_width];    ///< of the weights [1/m]
       double distances[dim][stencil_width]; ///< from the particle [m]
 
       PlainStencil(const Lattice<dim> &lattice,
@@ -29,13 +30,17 @@ namespace magmpm::baselines
           {
             const double offset = x[d] - base[d];
             quadratic_bspline(offset, weights[d]);
+            quadratic_bspline_derivative(offset, slopes[d]);
             for (int i = 0; i < stencil_width; ++i)
-              distances[d][i] = (i - offset) * lattice.spacing;
+              {
+                slopes[d][i] /= lattice.spacing;
+                distances[d][i] = (i - offset) * lattice.spacing;
+              }
           }
       }
     };
 
-    /** f(number of the node, N_i, x_i - x_p) for the nodes of a stencil. */
+    /** f(number of the node, N_i, x_i - x_p, grad N_i) for the nodes of a stencil. */
     template <int dim, typename Function>
     inline void
     for_each_node(const PlainStencil<dim> &stencil,
@@ -46,18 +51,21 @@ namespace magmpm::baselines
         for (int j = 0; j < stencil_width; ++j)
           for (int i = 0; i < stencil_width; ++i)
             {
-              std::size_t n = stencil.first + i + j * nodes.stride(1);
-              double weight = stencil.weights[0][i] * stencil.weights[1][j];
-              Vector<dim> distance;
-              distance[0] = stencil.distances[0][i];
-              distance[1] = stencil.distances[1][j];
-              if constexpr (dim == 3)
+              std::size_t n  = stencil.first + i + j * nodes.stride(1);
+              const int at[] = {i, j, k};
+              double weight  = 1.;
+              Vector<dim> distance, gradient;
+              for (int d = 0; d < dim; ++d)
                 {
-                  n += k * nodes.stride(2);
-                  weight *= stencil.weights[2][k];
-                  distance[2] = stencil.distances[2][k];
+                  weight *= stencil.weights[d][at[d]];
+                  distance[d] = stencil.distances[d][at[d]];
+                  gradient[d] = 1.;
+                  for (int e = 0; e < dim; ++e)
+                    gradient[d] *= (d == e ? stencil.slopes : stencil.weights)[e][at[e]];
                 }
-              f(n, weight, distance);
+              if constexpr (dim == 3)
+                n += k * nodes.stride(2);
+              f(n, weight, distance, gradient);
             }
     }
 
@@ -68,18 +76,24 @@ namespace magmpm::baselines
             const double time_step,
             PlainLattice<dim> &nodes)
     {
-      const double stress_factor = -time_step * 4. / (lattice.spacing * lattice.spacing);
+      const double mls_factor = 4. / (lattice.spacing * lattice.spacing);
       for (const PlainParticle<dim, Law> &particle : body.particles)
         {
-          const Matrix<dim> stress = body.law.kirchhoff_stress(particle.deformation,
+          const Matrix<dim> stress  = body.law.kirchhoff_stress(particle.deformation,
                                                                particle.affine_velocity);
-          const Matrix<dim> slope  = particle.mass * particle.affine_velocity +
-                                    (stress_factor * particle.volume) * stress;
-          const Vector<dim> momentum = particle.mass * particle.velocity;
+          const Matrix<dim> impulse = (-time_step * particle.volume) * stress;
           for_each_node(PlainStencil<dim>(lattice, nodes, particle.position),
                         nodes,
-                        [&](const std::size_t n, const double weight, const Vector<dim> &distance) {
-                          nodes[n].motion += weight * (momentum + slope * distance);
+                        [&](const std::size_t n,
+                            const double weight,
+                            const Vector<dim> &distance,
+                            const Vector<dim> &gradient) {
+                          nodes[n].motion +=
+                            (weight * particle.mass) *
+                            (particle.velocity + particle.affine_velocity * distance);
+                          nodes[n].motion += impulse * (Law::stores_deformation_gradient
+                                                          ? gradient
+                                                          : (mls_factor * weight) * distance);
                           nodes[n].mass += weight * particle.mass;
                         });
         }
@@ -96,18 +110,25 @@ namespace magmpm::baselines
       for (PlainParticle<dim, Law> &particle : body.particles)
         {
           Vector<dim> velocity;
-          Matrix<dim> moment;
+          Matrix<dim> moment, slope;
           for_each_node(PlainStencil<dim>(lattice, nodes, particle.position),
                         nodes,
-                        [&](const std::size_t n, const double weight, const Vector<dim> &distance) {
+                        [&](const std::size_t n,
+                            const double weight,
+                            const Vector<dim> &distance,
+                            const Vector<dim> &gradient) {
                           const Vector<dim> part = weight * nodes[n].motion;
                           velocity += part;
                           moment += outer(part, distance);
+                          if constexpr (Law::stores_deformation_gradient)
+                            slope += outer(nodes[n].motion, gradient);
                         });
           particle.velocity        = velocity;
           particle.affine_velocity = affine_factor * moment;
           particle.deformation =
-            body.law.advanced(particle.deformation, particle.affine_velocity, time_step);
+            body.law.advanced(particle.deformation,
+                              Law::stores_deformation_gradient ? slope : particle.affine_velocity,
+                              time_step);
           particle.position += time_step * velocity;
         }
     }

@@ -50,13 +50,15 @@ namespace magmpm::benchmarks
     class KernelStep : public TimedStep
     {
     public:
-      explicit KernelStep(const FallingBlock &block)
+      KernelStep(const FallingBlock &block, const Transfer transfer)
         : lattice(block.lattice)
         , bodies(block.bodies)
         , time_step(block.time_step)
         , boundary(lattice, walls(), no_rigid_bodies)
         , particle_mass(bodies[0].particles.component(ParticleProperty::mass, 0)[0])
       {
+        for (Body<3> &body : bodies)
+          body.transfer = transfer;
       }
 
       void
@@ -67,18 +69,38 @@ namespace magmpm::benchmarks
             case Phase::sort:
               blocks = verification::active_blocks(bodies, lattice);
               verification::sort_all(blocks, lattice, bodies);
+              if (bodies[0].transfer == Transfer::fmpm)
+                for (NodeField<3> *wanted : {&unconstrained, &filtered})
+                  wanted->reinit(blocks.size());
               return field.reinit(blocks.size());
             case Phase::p2g:
               return particles_to_lattice(bodies, blocks, lattice, time_step, field);
             case Phase::lattice:
-              return update_lattice_momentum(
-                blocks, boundary, {{0., 0., gravity}}, time_step, 0., particle_mass, field);
+              return update_lattice();
             case Phase::g2p:
-              lattice_to_particles(field, blocks, lattice, time_step, bodies);
+              lattice_to_particles(field, filtered, blocks, lattice, time_step, bodies);
           }
       }
 
     private:
+      void
+      update_lattice()
+      {
+        update_lattice_momentum(blocks,
+                                boundary,
+                                {{0., 0., gravity}},
+                                time_step,
+                                0.,
+                                particle_mass,
+                                field,
+                                unconstrained);
+        if (bodies[0].transfer != Transfer::fmpm)
+          return;
+        filtered.set_zero();
+        filter_velocity(bodies, blocks, lattice, field, filtered);
+        update_filtered_velocity(blocks, particle_mass, field, unconstrained, filtered);
+      }
+
       static WallParameters<3>
       walls()
       {
@@ -95,6 +117,7 @@ namespace magmpm::benchmarks
       double particle_mass;
       BlockSet<3> blocks;
       NodeField<3> field;
+      NodeField<3> unconstrained, filtered; // without blocks for APIC
     };
   } // namespace
 
@@ -111,9 +134,9 @@ namespace magmpm::benchmarks
   }
 
   std::unique_ptr<TimedStep>
-  make_kernel_step(const FallingBlock &block)
+  make_kernel_step(const FallingBlock &block, const Transfer transfer)
   {
-    return std::make_unique<KernelStep>(block);
+    return std::make_unique<KernelStep>(block, transfer);
   }
 
   PhaseTimes

@@ -44,9 +44,9 @@ namespace magmpm::benchmarks
   std::unique_ptr<TimedStep>
   make_plain_step(const FallingBlock &block);
 
-  /** The kernels of magmpm on one rank. */
+  /** The kernels of magmpm on one rank. @param transfer  FMPM for solids only; the plain loops have APIC. */
   std::unique_ptr<TimedStep>
-  make_kernel_step(const FallingBlock &block);
+  make_kernel_step(const FallingBlock &block, const Transfer transfer = Transfer::apic);
 
   /** Sorts once, then takes steps. */
   PhaseTimes

@@ -1,6 +1,7 @@
 #include <magmpm/boundary/momentum_update.h>
 #include <magmpm/lattice/node_window.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace magmpm
@@ -13,40 +14,68 @@ namespace magmpm
                           const double time_step,
                           const double damping_rate,
                           const double typical_mass,
-                          NodeField<dim> &field)
+                          NodeField<dim> &field,
+                          NodeField<dim> &unconstrained)
   {
-    const double negligible_mass = 1e-12 * typical_mass;
-    const double remaining       = std::exp(-damping_rate * time_step);
+    const double least_mass = negligible_mass(typical_mass);
+    const double remaining  = std::exp(-damping_rate * time_step);
+    const bool keeps_both   = unconstrained.n_blocks() > 0;
     for_nodes(blocks, [&](const int slot, const int n) {
       const double mass = field.get(NodeMotion::mass, slot, n);
       if (mass == 0.)
         return;
-      Vector<dim> velocity;
-      if (mass > negligible_mass)
+      Vector<dim> velocity, free;
+      if (mass > least_mass)
         {
           const Vector<dim> momentum = field.get(NodeMotion::momentum, slot, n);
           for (int d = 0; d < dim; ++d)
-            velocity[d] = remaining * (momentum[d] / mass + time_step * gravity[d]);
-          velocity = boundary.constrained(node_of_block<dim>(blocks.block(slot), n), velocity);
+            free[d] = remaining * (momentum[d] / mass + time_step * gravity[d]);
+          velocity = boundary.constrained(node_of_block<dim>(blocks.block(slot), n), free);
         }
       field.set(NodeMotion::velocity, slot, n, velocity);
+      if (keeps_both)
+        unconstrained.set(NodeMotion::velocity, slot, n, free);
     });
   }
 
-  template void
-  update_lattice_momentum(const BlockSet<2> &,
-                          const LatticeBoundary<2> &,
-                          const Vector<2> &,
-                          double,
-                          double,
-                          double,
-                          NodeField<2> &);
-  template void
-  update_lattice_momentum(const BlockSet<3> &,
-                          const LatticeBoundary<3> &,
-                          const Vector<3> &,
-                          double,
-                          double,
-                          double,
-                          NodeField<3> &);
+  template <int dim>
+  void
+  update_filtered_velocity(const BlockSet<dim> &blocks,
+                           const double typical_mass,
+                           const NodeField<dim> &motion,
+                           const NodeField<dim> &unconstrained,
+                           NodeField<dim> &filtered)
+  {
+    for_nodes(blocks, [&](const int slot, const int n) {
+      const Vector<dim> velocity = motion.get(NodeMotion::velocity, slot, n);
+      const Vector<dim> free     = unconstrained.get(NodeMotion::velocity, slot, n);
+      const double mass          = motion.get(NodeMotion::mass, slot, n);
+      const bool is_held         = !std::equal(velocity.values, velocity.values + dim, free.values);
+      filtered.set(NodeMotion::velocity,
+                   slot,
+                   n,
+                   is_held || mass <= negligible_mass(typical_mass)
+                     ? velocity
+                     : (1. / mass) * filtered.get(NodeMotion::momentum, slot, n));
+    });
+  }
+
+#define INSTANTIATE(dim)                                              \
+  template void update_lattice_momentum(const BlockSet<dim> &,        \
+                                        const LatticeBoundary<dim> &, \
+                                        const Vector<dim> &,          \
+                                        double,                       \
+                                        double,                       \
+                                        double,                       \
+                                        NodeField<dim> &,             \
+                                        NodeField<dim> &);            \
+  template void update_filtered_velocity(const BlockSet<dim> &,       \
+                                         double,                      \
+                                         const NodeField<dim> &,      \
+                                         const NodeField<dim> &,      \
+                                         NodeField<dim> &);
+
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace magmpm

@@ -1,3 +1,4 @@
+#include <magmpm/boundary/momentum_update.h>
 #include <magmpm/boundary/rigid_collision.h>
 #include <magmpm/boundary/touched_nodes.h>
 #include <magmpm/parallel/reduce.h>
@@ -109,7 +110,7 @@ namespace magmpm
     const std::vector<RigidContact<dim>> contacts = search.find(bodies, time_step);
     separate_overlaps(contacts, tolerated_overlap * lattice.spacing, bodies);
 
-    TouchedNodes<dim> nodes(bodies, blocks, lattice, 1e-12 * typical_mass, field);
+    TouchedNodes<dim> nodes(bodies, blocks, lattice, negligible_mass(typical_mass), field);
     std::vector<RigidVector<dim>> motions(bodies.size());
     for (std::size_t b = 0; b < bodies.size(); ++b)
       motions[b] = rigid_vector<dim>(bodies[b].motion().velocity,

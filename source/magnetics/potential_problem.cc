@@ -68,7 +68,8 @@ namespace magmpm
     const parallel::PhaseTimer::Scope section(timer, "Compute magnetic force");
     compute_split_force(potential, points, partition, force);
     // The quadrature ends at a mirror, where stress does not: the force needs that of both sides.
-    add_images(partition.blocks(), partition.walls(), Parity(), force);
+    add_images(
+      partition.blocks(), partition.blocks().n_owned(), partition.walls(), Parity(), force);
     return parallel::sum(hand_force_inward(partition, mass, force), mesh.communicator());
   }
 

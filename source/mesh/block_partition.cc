@@ -202,7 +202,7 @@ namespace magmpm
   BlockPartition<dim>::add_ghosts_to_owners(NodeNumbers<dim> &field, const Parity &parity) const
   {
     add_ghosts_to_owners(field);
-    add_images(block_set, mirrors, parity, field);
+    add_images(block_set, block_set.n_owned(), mirrors, parity, field);
   }
 
   template <int dim>
@@ -218,7 +218,7 @@ namespace magmpm
   void
   BlockPartition<dim>::update_ghosts(NodeNumbers<dim> &field, const Parity &parity) const
   {
-    copy_images(block_set, mirrors, parity, field);
+    copy_images(block_set, block_set.n_owned(), mirrors, parity, field);
     update_ghosts(field);
   }
 

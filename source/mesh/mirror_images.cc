@@ -68,6 +68,7 @@ namespace magmpm
     template <int dim>
     void
     reflect(const BlockSet<dim> &blocks,
+            const int n_slots,
             const MirrorWalls<dim> &walls,
             const Parity &parity,
             const bool adds,
@@ -80,7 +81,7 @@ namespace magmpm
             const bool is_lower        = (face % 2 == 0);
             const int wall             = (is_lower ? 0 : walls.n_cells[axis]);
             const LaneSigns lane_signs = signs(field.layout(), parity, axis);
-            for (int slot = 0; slot < blocks.n_owned(); ++slot)
+            for (int slot = 0; slot < n_slots; ++slot)
               if (block_edge * blocks.block(slot)[axis] == wall)
                 reflect_in_block(blocks, slot, axis, is_lower, adds, lane_signs, field);
           }
@@ -90,28 +91,30 @@ namespace magmpm
   template <int dim>
   void
   add_images(const BlockSet<dim> &blocks,
+             const int n_slots,
              const MirrorWalls<dim> &walls,
              const Parity &parity,
              NodeNumbers<dim> &field)
   {
-    reflect(blocks, walls, parity, true, field);
+    reflect(blocks, n_slots, walls, parity, true, field);
   }
 
   template <int dim>
   void
   copy_images(const BlockSet<dim> &blocks,
+              const int n_slots,
               const MirrorWalls<dim> &walls,
               const Parity &parity,
               NodeNumbers<dim> &field)
   {
-    reflect(blocks, walls, parity, false, field);
+    reflect(blocks, n_slots, walls, parity, false, field);
   }
 
-#define MAGMPM_INSTANTIATE(dim)                                                           \
-  template void add_images(                                                               \
-    const BlockSet<dim> &, const MirrorWalls<dim> &, const Parity &, NodeNumbers<dim> &); \
-  template void copy_images(                                                              \
-    const BlockSet<dim> &, const MirrorWalls<dim> &, const Parity &, NodeNumbers<dim> &);
+#define MAGMPM_INSTANTIATE(dim)                                                                \
+  template void add_images(                                                                    \
+    const BlockSet<dim> &, int, const MirrorWalls<dim> &, const Parity &, NodeNumbers<dim> &); \
+  template void copy_images(                                                                   \
+    const BlockSet<dim> &, int, const MirrorWalls<dim> &, const Parity &, NodeNumbers<dim> &);
 
   MAGMPM_INSTANTIATE(2)
   MAGMPM_INSTANTIATE(3)

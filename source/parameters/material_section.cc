@@ -142,6 +142,9 @@ namespace magmpm
                   {"Bulk modulus", "Viscosity"},
                   {"Young's modulus", "Poisson ratio", "Shear modulus", "Lame lambda"},
                   "Mechanical law = viscoelastic fluid");
+      if (input.transfer == Transfer::fmpm)
+        throw declarations.error(section + "/Transfer",
+                                 "FMPM is for solids; a fluid has APIC. Leave it out.");
       material.bulk_modulus = input.bulk_modulus;
       material.viscosity    = input.viscosity;
     }
@@ -243,6 +246,13 @@ namespace magmpm
                      {{"neo-Hookean", MechanicalLaw::neo_hookean},
                       {"viscoelastic fluid", MechanicalLaw::viscoelastic_fluid}},
                      "What the material does when it is deformed.");
+    declarations.add(
+      "Transfer",
+      material.transfer,
+      {{"auto", std::nullopt}, {"FMPM", Transfer::fmpm}, {"APIC", Transfer::apic}},
+      "How velocities go from the lattice to the particles. FMPM, for solids alone, "
+      "loses energy by time, whatever the number of steps, and keeps bent bodies right; "
+      "APIC takes half of its time. auto: FMPM in solids, APIC in fluids.");
     declare_moduli(declarations, material);
     declare_magnetization(declarations, material);
   }
@@ -258,7 +268,10 @@ namespace magmpm
     material.law              = input.law;
     const std::string section = "Materials/" + name;
     if (material.law == MechanicalLaw::neo_hookean)
-      convert_solid(declarations, section, input, material);
+      {
+        material.transfer = input.transfer.value_or(Transfer::fmpm);
+        convert_solid(declarations, section, input, material);
+      }
     else
       convert_fluid(declarations, section, input, material);
     material.magnetic =

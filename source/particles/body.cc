@@ -8,6 +8,7 @@ namespace magmpm
     : name(parameters.name)
     , material(make_material<dim>(material, parameters.density))
     , magnetic(material.magnetic)
+    , transfer(material.transfer)
     , particles(material.law == MechanicalLaw::neo_hookean, material.magnetic.is_magnetic())
   {
   }

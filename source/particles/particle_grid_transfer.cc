@@ -3,6 +3,8 @@
 
 #include <magmpm/base/prefetch.h>
 #include <magmpm/base/simd_functions.h>
+#include <magmpm/particles/gradient_batch.h>
+#include <magmpm/particles/make_material.h>
 #include <magmpm/particles/particle_grid_transfer.h>
 #include <magmpm/particles/transfer_runs.h>
 
@@ -26,7 +28,83 @@ namespace magmpm
           prefetch.add(component + first);
     }
 
-    /** Mass and momentum of the particles at @p place, number @p p of the batch, for P2G. */
+    /** All that P2G loads of the particles from @p first on. */
+    template <int dim>
+    inline Prefetch<batch_size>
+    prefetch_of_momentum(const ParticleArrays<dim> &particles, const std::size_t first)
+    {
+      Prefetch<batch_size> next;
+      add_arrays(particles.position, first, next);
+      add_arrays(particles.velocity, first, next);
+      add_arrays(particles.affine_velocity, first, next);
+      add_arrays(particles.deformation, first, next);
+      add_arrays(particles.magnetic_acceleration, first, next);
+      next.add(particles.mass + first);
+      next.add(particles.volume + first);
+      next.finish();
+      return next;
+    }
+
+    /** The impulse of the stress over a step times the length 1/dx of gradients: -dt V_0 tau/dx. */
+    template <int dim, typename Law, typename Place>
+    inline Matrix<dim, SimdDouble>
+    stress_impulse(const ParticleRun<dim> &run,
+                   const Law &law,
+                   const double time_step,
+                   const Matrix<dim, SimdDouble> &affine,
+                   const Place place)
+    {
+      const SimdDouble factor = (-time_step / run.spacing) * load(run.particles.volume, place);
+      return factor * law.kirchhoff_stress(load_state<dim, Law>(run.particles, place), affine);
+    }
+
+    /**
+     * The momentum of particles, number @p p of the batch on, as a linear function for P2G: its value
+     * and how much it grows over dx in each direction.
+     */
+    template <int dim>
+    inline void
+    store_linear(const StencilBatch<dim> &stencils,
+                 const SimdDouble &mass,
+                 const Vector<dim, SimdDouble> &momentum,
+                 const Matrix<dim, SimdDouble> &slope,
+                 const int p,
+                 LinearBatch<dim> &batch)
+    {
+      constexpr int stride      = LinearBatch<dim>::stride;
+      SimdDouble first[n_lanes] = {};
+      for (int c = 0; c < dim; ++c)
+        first[c] = momentum[c];
+      for (int d = 0; d < dim; ++d)
+        {
+          const SimdDouble offset  = SimdDouble::load(&stencils.offsets[d][p]);
+          SimdDouble step[n_lanes] = {};
+          for (int c = 0; c < dim; ++c)
+            {
+              step[c] = slope(c, d);
+              first[c] -= offset * step[c];
+            }
+          store_transposed(step, batch.numbers[p][1 + d], stride);
+        }
+      first[3] = mass;
+      store_transposed(first, batch.numbers[p][0], stride);
+    }
+
+    /** The columns of a matrix of particles, number @p p of the batch on, for the gradients of P2G. */
+    template <int dim>
+    inline void
+    store_gradient(const Matrix<dim, SimdDouble> &matrix, const int p, GradientBatch<dim> &batch)
+    {
+      for (int d = 0; d < dim; ++d)
+        {
+          SimdDouble column[n_lanes] = {};
+          for (int c = 0; c < dim; ++c)
+            column[c] = matrix(c, d);
+          store_transposed(column, batch.numbers[p][d], GradientBatch<dim>::stride);
+        }
+    }
+
+    /** Mass and momentum of the particles at @p place, number @p p of the batch, and their stress. */
     template <int dim, typename Law, typename Place>
     inline void
     momentum_of_particles(const ParticleRun<dim> &run,
@@ -35,37 +113,22 @@ namespace magmpm
                           const double time_step,
                           const Place place,
                           const int p,
-                          LinearBatch<dim> &batch)
+                          LinearBatch<dim> &batch,
+                          GradientBatch<dim> &gradients)
     {
       const auto &particles                = run.particles;
-      const double dx                      = run.spacing;
       const Matrix<dim, SimdDouble> affine = load_matrix<dim>(particles.affine_velocity, place);
-      const Matrix<dim, SimdDouble> stress =
-        law.kirchhoff_stress(load_state<dim, Law>(particles, place), affine);
-      const SimdDouble mass            = load(particles.mass, place);
-      const SimdDouble affine_factor   = dx * mass;
-      const SimdDouble stress_factor   = (-time_step * 4. / dx) * load(particles.volume, place);
+      const SimdDouble mass                = load(particles.mass, place);
+      const Matrix<dim, SimdDouble> stress = stress_impulse(run, law, time_step, affine, place);
+      Matrix<dim, SimdDouble> slope        = (run.spacing * mass) * affine;
+      if constexpr (Law::stores_deformation_gradient)
+        store_gradient(stress, p, gradients);
+      else
+        slope += SimdDouble(4.) * stress;
       Vector<dim, SimdDouble> velocity = load_vector<dim>(particles.velocity, place);
       if (particles.magnetic_acceleration[0] != nullptr)
         velocity += time_step * load_vector<dim>(particles.magnetic_acceleration, place);
-
-      constexpr int stride      = LinearBatch<dim>::stride;
-      SimdDouble first[n_lanes] = {};
-      for (int c = 0; c < dim; ++c)
-        first[c] = mass * velocity[c];
-      for (int d = 0; d < dim; ++d)
-        {
-          const SimdDouble offset  = SimdDouble::load(&stencils.offsets[d][p]);
-          SimdDouble step[n_lanes] = {};
-          for (int c = 0; c < dim; ++c)
-            {
-              step[c] = affine_factor * affine(c, d) + stress_factor * stress(c, d);
-              first[c] -= offset * step[c];
-            }
-          store_transposed(step, batch.numbers[p][1 + d], stride);
-        }
-      first[3] = mass;
-      store_transposed(first, batch.numbers[p][0], stride);
+      store_linear(stencils, mass, mass * velocity, slope, p, batch);
     }
 
     template <int dim, typename Law>
@@ -76,25 +139,24 @@ namespace magmpm
                      double *arena)
     {
       StencilBatch<dim> stencils;
+      StencilSlopes<dim> slopes;
       LinearBatch<dim> batch;
-      const auto &particles = run.particles;
+      GradientBatch<dim> gradients;
       for_each_batch(run, [&](const std::size_t first, const int n) {
         place_stencils(run, first, n, stencils);
+        if constexpr (Law::stores_deformation_gradient)
+          find_slopes(stencils, n, slopes);
         for_each_lanes(first, n, [&](const auto place, const int p) {
-          momentum_of_particles(run, stencils, law, time_step, place, p, batch);
+          momentum_of_particles(run, stencils, law, time_step, place, p, batch, gradients);
         });
-        Prefetch<batch_size> next;
-        add_arrays(particles.position, first + batch_size, next);
-        add_arrays(particles.velocity, first + batch_size, next);
-        add_arrays(particles.affine_velocity, first + batch_size, next);
-        add_arrays(particles.deformation, first + batch_size, next);
-        add_arrays(particles.magnetic_acceleration, first + batch_size, next);
-        next.add(particles.mass + first + batch_size);
-        next.add(particles.volume + first + batch_size);
-        next.finish();
+        const Prefetch<batch_size> next = prefetch_of_momentum<dim>(run.particles,
+                                                                    first + batch_size);
         scatter_batch(stencils, n, arena, [&](const int p, auto &rows) {
           next.template ask<false>(p);
-          add_linear(stencils, batch, p, rows);
+          if constexpr (Law::stores_deformation_gradient)
+            add_linear_and_gradient(stencils, slopes, batch, gradients, p, rows);
+          else
+            add_linear(stencils, batch, p, rows);
         });
       });
     }
@@ -129,51 +191,79 @@ namespace magmpm
       }
     };
 
-    /**
-     * Moves and deforms the particles at @p place, number @p p of the batch, over a step, with what
-     * G2P found on their nodes.
-     */
-    template <int dim, typename Law, typename Place>
-    inline void
-    advance_particles(const ParticleRun<dim> &run,
-                      const StencilBatch<dim> &stencils,
-                      const LinearBatch<dim> &batch,
-                      const Law &law,
-                      const double time_step,
-                      const Place place,
-                      const int p,
-                      LaneExtremes &extremes)
+    /** What G2P found for particles, number @p p of the batch on: a vector and a matrix. */
+    template <int dim>
+    struct VectorAndMatrix
     {
-      const auto &particles = run.particles;
-      constexpr int stride  = LinearBatch<dim>::stride;
-      SimdDouble sum[n_lanes];
-      load_transposed(batch.numbers[p][0], stride, sum);
-      Vector<dim, SimdDouble> velocity;
-      for (int c = 0; c < dim; ++c)
-        velocity[c] = sum[c];
-      Matrix<dim, SimdDouble> affine;
+      Vector<dim, SimdDouble> vector;
+      Matrix<dim, SimdDouble> matrix;
+
+      VectorAndMatrix(const LinearBatch<dim> &batch, const int p)
+      {
+        constexpr int stride = LinearBatch<dim>::stride;
+        SimdDouble lanes[n_lanes];
+        load_transposed(batch.numbers[p][0], stride, lanes);
+        for (int c = 0; c < dim; ++c)
+          vector[c] = lanes[c];
+        for (int d = 0; d < dim; ++d)
+          {
+            load_transposed(batch.numbers[p][1 + d], stride, lanes);
+            for (int c = 0; c < dim; ++c)
+              matrix(c, d) = lanes[c];
+          }
+      }
+    };
+
+    /** Velocity and affine velocity of particles, number @p p of the batch on, from sums of G2P. */
+    template <int dim>
+    inline VectorAndMatrix<dim>
+    affine_motion(const StencilBatch<dim> &stencils,
+                  const LinearBatch<dim> &batch,
+                  const double spacing,
+                  const int p)
+    {
+      VectorAndMatrix<dim> motion(batch, p);
       for (int d = 0; d < dim; ++d)
         {
           const SimdDouble offset = SimdDouble::load(&stencils.offsets[d][p]);
-          SimdDouble moment[n_lanes];
-          load_transposed(batch.numbers[p][1 + d], stride, moment);
           for (int c = 0; c < dim; ++c)
-            affine(c, d) = (4. / run.spacing) * (moment[c] - offset * velocity[c]);
+            motion.matrix(c, d) = (4. / spacing) *
+                                  (motion.matrix(c, d) - offset * motion.vector[c]);
         }
+      return motion;
+    }
+
+    /**
+     * Moves and deforms the particles at @p place over a step.
+     *
+     * @param motion     their new velocity and affine velocity.
+     * @param transport  the velocity they move with, and the gradient they deform with.
+     */
+    template <int dim, typename Law, typename Place>
+    inline void
+    advance_particles(const ParticleArrays<dim> &particles,
+                      const Law &law,
+                      const double time_step,
+                      const VectorAndMatrix<dim> &motion,
+                      const VectorAndMatrix<dim> &transport,
+                      const Place place,
+                      LaneExtremes &extremes)
+    {
       const typename Law::State state =
-        law.advanced(load_state<dim, Law>(particles, place), affine, time_step);
-      store_vector<dim>(load_vector<dim>(particles.position, place) + time_step * velocity,
+        law.advanced(load_state<dim, Law>(particles, place), transport.matrix, time_step);
+      store_vector<dim>(load_vector<dim>(particles.position, place) + time_step * transport.vector,
                         particles.position,
                         place);
-      store_vector<dim>(velocity, particles.velocity, place);
-      store_matrix<dim>(affine, particles.affine_velocity, place);
+      store_vector<dim>(motion.vector, particles.velocity, place);
+      store_matrix<dim>(motion.matrix, particles.affine_velocity, place);
       store_state<dim, Law>(state, particles, place);
 
-      const SimdDouble speed        = norm(velocity);
+      const SimdDouble speed        = norm(motion.vector);
       const SimdDouble volume_ratio = law.volume_ratio(state);
       LaneExtremes::raise(extremes.speed, speed);
+      LaneExtremes::raise(extremes.speed, norm(transport.vector));
       LaneExtremes::raise(extremes.signal_speed, speed + law.wave_speed(state));
-      LaneExtremes::raise(extremes.affine_velocity, frobenius_norm(affine));
+      LaneExtremes::raise(extremes.affine_velocity, frobenius_norm(motion.matrix));
       LaneExtremes::raise(extremes.max_volume_ratio, volume_ratio);
       LaneExtremes::raise(extremes.max_inverse_volume_ratio,
                           SimdDouble::select(volume_ratio > 0.,
@@ -181,16 +271,25 @@ namespace magmpm
                                              std::numeric_limits<double>::infinity()));
     }
 
+    /** Where the velocities are that a run of G2P needs: arenas of its block. */
+    struct VelocityArenas
+    {
+      const double *taken;     ///< of which particles take velocity and affine velocity
+      const double *transport; ///< with which solids move and deform; fluids do with that one
+    };
+
     template <int dim, typename Law>
     [[gnu::flatten]] void
     gather_velocity(const ParticleRun<dim> &run,
                     const Law &law,
                     const double time_step,
-                    const double *arena,
+                    const VelocityArenas &arenas,
                     ParticleExtremes &extremes)
     {
+      constexpr bool is_solid = Law::stores_deformation_gradient;
       StencilBatch<dim> stencils;
-      LinearBatch<dim> batch;
+      StencilSlopes<dim> slopes;
+      LinearBatch<dim> batch, transport;
       LaneExtremes lane_extremes;
       const auto &particles = run.particles;
       for_each_batch(run, [&](const std::size_t first, const int n) {
@@ -201,16 +300,82 @@ namespace magmpm
         add_arrays(particles.affine_velocity, first, soon);
         add_arrays(particles.deformation, first, soon);
         soon.finish();
-        gather_batch(stencils, n, arena, [&](const int p, const auto &rows) {
+        gather_batch(stencils, n, arenas.taken, [&](const int p, const auto &rows) {
           soon.template ask<true>(p);
           sum_linear(stencils, rows, p, batch);
         });
         batch.repeat_last(n);
+        if constexpr (is_solid)
+          {
+            find_slopes(stencils, n, slopes);
+            gather_batch(stencils, n, arenas.transport, [&](const int p, const auto &rows) {
+              sum_gradient(stencils, slopes, rows, p, transport);
+            });
+            transport.repeat_last(n);
+          }
         for_each_lanes(first, n, [&](const auto place, const int p) {
-          advance_particles(run, stencils, batch, law, time_step, place, p, lane_extremes);
+          const VectorAndMatrix<dim> motion = affine_motion(stencils, batch, run.spacing, p);
+          if constexpr (is_solid)
+            {
+              VectorAndMatrix<dim> moved(transport, p);
+              moved.matrix *= SimdDouble(1. / run.spacing);
+              advance_particles(particles, law, time_step, motion, moved, place, lane_extremes);
+            }
+          else
+            advance_particles(particles, law, time_step, motion, motion, place, lane_extremes);
         });
       });
       lane_extremes.add_to(extremes);
+    }
+
+    /** G2P, and P2G of what it gives, without any step in between. */
+    template <int dim>
+    [[gnu::flatten]] void
+    filter_run(const ParticleRun<dim> &run, const double *velocity, double *momentum)
+    {
+      StencilBatch<dim> stencils;
+      LinearBatch<dim> batch;
+      for_each_batch(run, [&](const std::size_t first, const int n) {
+        place_stencils(run, first, n, stencils);
+        gather_batch(stencils, n, velocity, [&](const int p, const auto &rows) {
+          sum_linear(stencils, rows, p, batch);
+        });
+        batch.repeat_last(n);
+        for_each_lanes(first, n, [&](const auto place, const int p) {
+          const VectorAndMatrix<dim> motion = affine_motion(stencils, batch, run.spacing, p);
+          const SimdDouble mass             = load(run.particles.mass, place);
+          store_linear(stencils,
+                       SimdDouble(0.),
+                       mass * motion.vector,
+                       (run.spacing * mass) * motion.matrix,
+                       p,
+                       batch);
+        });
+        scatter_batch(stencils, n, momentum, [&](const int p, auto &rows) {
+          add_linear(stencils, batch, p, rows);
+        });
+      });
+    }
+
+    /** alpha of FMPM: what is given back of v - P v. */
+    template <int dim>
+    double
+    share_given_back(const Body<dim> &body, const double spacing, const double time_step)
+    {
+      constexpr double damping_time = 0.5; // of noise, in dx/c
+      return std::exp(-time_step * undeformed_wave_speed(body.material) / (damping_time * spacing));
+    }
+
+    /** v + alpha (v - P v) on all nodes of an arena. */
+    template <int dim>
+    void
+    give_back(const Arena<dim> &velocity,
+              const Arena<dim> &filtered,
+              const double share,
+              Arena<dim> &result)
+    {
+      for (int i = 0; i < Arena<dim>::n_nodes * n_lanes; ++i)
+        result.data()[i] = velocity.data()[i] + share * (velocity.data()[i] - filtered.data()[i]);
     }
   } // namespace
 
@@ -241,26 +406,63 @@ namespace magmpm
   }
 
   template <int dim>
+  void
+  filter_velocity(std::vector<Body<dim>> &bodies,
+                  const BlockSet<dim> &blocks,
+                  const Lattice<dim> &lattice,
+                  const NodeField<dim> &velocity,
+                  NodeField<dim> &filtered)
+  {
+    Arena<dim> from, to;
+    for_each_run(
+      bodies,
+      blocks,
+      lattice,
+      all_bodies,
+      [&](const int slot) {
+        from.load(velocity, blocks, slot);
+        to.set_zero();
+      },
+      [&](const std::size_t, const ParticleRun<dim> &run) {
+        filter_run(run, from.data(), to.data());
+      },
+      [&](const int slot) { to.add_to(filtered, blocks, slot); });
+  }
+
+  template <int dim>
   std::vector<ParticleExtremes>
-  lattice_to_particles(const NodeField<dim> &field,
+  lattice_to_particles(const NodeField<dim> &velocity,
+                       const NodeField<dim> &filtered,
                        const BlockSet<dim> &blocks,
                        const Lattice<dim> &lattice,
                        const double time_step,
                        std::vector<Body<dim>> &bodies)
   {
     std::vector<ParticleExtremes> extremes(bodies.size());
-    Arena<dim> arena;
+    const bool is_filtered = filtered.n_blocks() > 0;
+    Arena<dim> plain, smooth, given_back;
     for_each_run(
       bodies,
       blocks,
       lattice,
       all_bodies,
-      [&](const int slot) { arena.load(field, blocks, slot); },
+      [&](const int slot) {
+        plain.load(velocity, blocks, slot);
+        if (is_filtered)
+          smooth.load(filtered, blocks, slot);
+      },
       [&](const std::size_t b, const ParticleRun<dim> &run) {
+        VelocityArenas arenas = {plain.data(), plain.data()};
+        if (bodies[b].transfer == Transfer::fmpm)
+          {
+            give_back(
+              plain, smooth, share_given_back(bodies[b], lattice.spacing, time_step), given_back);
+            arenas = {given_back.data(), smooth.data()};
+          }
         std::visit(
           [&](const auto &law) {
             gather_velocity(
-              run, law.template with_number<SimdDouble>(), time_step, arena.data(), extremes[b]);
+              run, law.template with_number<SimdDouble>(), time_step, arenas, extremes[b]);
           },
           bodies[b].material);
       },
@@ -274,7 +476,13 @@ namespace magmpm
                                           const Lattice<dim> &,                            \
                                           double,                                          \
                                           NodeField<dim> &);                               \
+  template void filter_velocity<dim>(std::vector<Body<dim>> &,                             \
+                                     const BlockSet<dim> &,                                \
+                                     const Lattice<dim> &,                                 \
+                                     const NodeField<dim> &,                               \
+                                     NodeField<dim> &);                                    \
   template std::vector<ParticleExtremes> lattice_to_particles<dim>(const NodeField<dim> &, \
+                                                                   const NodeField<dim> &, \
                                                                    const BlockSet<dim> &,  \
                                                                    const Lattice<dim> &,   \
                                                                    double,                 \

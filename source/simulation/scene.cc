@@ -1,5 +1,3 @@
-#include <magmpm/boundary/momentum_update.h>
-#include <magmpm/particles/particle_grid_transfer.h>
 #include <magmpm/simulation/runaway_check.h>
 #include <magmpm/simulation/scene.h>
 #include <magmpm/simulation/time_step_control.h>
@@ -43,17 +41,6 @@ namespace magmpm
               parameters.magnet_bodies,
               parameters.rigid_bodies};
     }
-
-    /** The largest mass of an undeformed particle [kg]. */
-    template <int dim>
-    double
-    typical_particle_mass(const Parameters<dim> &parameters)
-    {
-      double mass = 0.;
-      for (const BodyParameters<dim> &body : parameters.bodies)
-        mass = std::max(mass, body.density * body.particle_volume(parameters.lattice));
-      return mass;
-    }
   } // namespace
 
   template <int dim>
@@ -75,6 +62,7 @@ namespace magmpm
     , holder(rigid_part(parameters), external_field, magnetic.state().reactions, communicator)
     , fluids(parameters.lattice, open_faces(parameters.walls))
     , attraction(parameters.attraction)
+    , lattice_motion(parameters)
   {
     for (const BodyParameters<dim> &body : parameters.bodies)
       all_bodies.emplace_back(body, parameters.material_of(body));
@@ -179,12 +167,7 @@ namespace magmpm
   Scene<dim>::transfer_to_lattice()
   {
     const Scope timed(phase_timer, "P2G");
-    particles_to_lattice(all_bodies,
-                         decomposition->blocks(),
-                         parameters.lattice,
-                         state.clock.time_step,
-                         lattice_field);
-    decomposition->partition().add_ghosts_to_owners(lattice_field);
+    lattice_motion.sum_momentum(decomposition->partition(), state.clock.time_step, all_bodies);
   }
 
   template <int dim>
@@ -192,16 +175,11 @@ namespace magmpm
   Scene<dim>::update_lattice()
   {
     const Scope timed(phase_timer, "Update lattice");
-    const double mass = typical_particle_mass(parameters);
-    update_lattice_momentum(decomposition->blocks(),
-                            holder.lattice_boundary(),
-                            parameters.gravity,
-                            state.clock.time_step,
-                            parameters.rest.damping_rate,
-                            mass,
-                            lattice_field);
-    holder.collide(state.clock, decomposition->blocks(), mass, lattice_field);
-    decomposition->partition().update_ghosts(lattice_field);
+    lattice_motion.update_velocity(
+      decomposition->partition(), holder.lattice_boundary(), state.clock.time_step);
+    holder.collide(
+      state.clock, decomposition->blocks(), lattice_motion.typical_mass(), lattice_motion.field());
+    lattice_motion.finish(decomposition->partition(), all_bodies);
   }
 
   template <int dim>
@@ -209,11 +187,8 @@ namespace magmpm
   Scene<dim>::transfer_to_particles()
   {
     const Scope timed(phase_timer, "G2P");
-    std::vector<ParticleExtremes> extremes = lattice_to_particles(lattice_field,
-                                                                  decomposition->blocks(),
-                                                                  parameters.lattice,
-                                                                  state.clock.time_step,
-                                                                  all_bodies);
+    std::vector<ParticleExtremes> extremes =
+      lattice_motion.move_particles(decomposition->partition(), state.clock.time_step, all_bodies);
     holder.hold_particles(decomposition->blocks(), open_faces(parameters.walls), all_bodies);
     return extremes;
   }
@@ -226,6 +201,8 @@ namespace magmpm
     parallel::Reduction reduction;
     for (ParticleExtremes &e : extremes)
       reduction.max(e);
+    if (request.wants_sums)
+      magnetic.find_work(all_bodies);
     for (Coupling *coupling : couplings())
       coupling->reduce(reduction);
     if (request.wants_sums)

@@ -64,7 +64,7 @@ namespace magmpm
       state.notices.push_back({false, report(regrouping.mesh, parallel::n_ranks(communicator))});
     state.mesh_changes += regrouping.mesh.is_change();
     state.imbalance = regrouping.mesh.imbalance;
-    lattice_field.reinit(decomposition->blocks().size());
+    lattice_motion.reinit(decomposition->blocks().size());
   }
 
   template <int dim>

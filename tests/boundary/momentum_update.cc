@@ -30,7 +30,9 @@ namespace
     field.reinit(blocks.size());
     double *lanes = field.node(blocks.slot(block_of<2>(node)), (node[0] & 3) + 4 * (node[1] & 3));
     std::copy(momentum_and_mass.begin(), momentum_and_mass.end(), lanes);
-    update_lattice_momentum(blocks, boundary, {{0., -10.}}, 0.01, damping_rate, 1., field);
+    NodeField<2> not_wanted;
+    update_lattice_momentum(
+      blocks, boundary, {{0., -10.}}, 0.01, damping_rate, 1., field, not_wanted);
     return {lanes[0], lanes[1], lanes[2], lanes[3]};
   }
 } // namespace

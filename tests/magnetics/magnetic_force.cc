@@ -203,7 +203,11 @@ TEMPLATE_TEST_CASE_SIG("A layer between mirrors does not feel them",
   scene.set_bodies({box<dim>(lower, upper, {1., 1.5})});
   scene.problem.solve(scene.content, ExternalField<dim>({uniform_source<dim>(field)}));
 
-  add_images(scene.partition.blocks(), scene.partition.walls(), Parity(), scene.mass);
+  add_images(scene.partition.blocks(),
+             scene.partition.blocks().n_owned(),
+             scene.partition.walls(),
+             Parity(),
+             scene.mass);
   scene.partition.update_ghosts(scene.mass);
   NodeField<dim, SingleVector> force;
   scene.problem.compute_force(scene.mass, force);

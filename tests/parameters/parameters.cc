@@ -93,6 +93,26 @@ end
   }
 } // namespace
 
+// Solids have FMPM and fluids APIC by default. A solid may have APIC; a fluid has no F that FMPM is for.
+TEST_CASE("The transfer is that of the law unless it is given", "[parameters]")
+{
+  const auto transfer_of = [](const std::string &material, const std::string &value) {
+    const Parameters<3> scene = read<3>(cube_text,
+                                        {"Materials/" + material + "/Transfer=" + value});
+    for (const MaterialParameters &one : scene.materials)
+      if (one.name == material)
+        return one.transfer;
+    throw std::runtime_error("no material " + material);
+  };
+  CHECK(transfer_of("clay", "auto") == Transfer::fmpm);
+  CHECK(transfer_of("clay", "APIC") == Transfer::apic);
+  CHECK(transfer_of("water", "auto") == Transfer::apic);
+  CHECK(transfer_of("water", "APIC") == Transfer::apic);
+  CHECK_THROWS_WITH(
+    transfer_of("water", "FMPM"),
+    Catch::Matchers::Contains("FMPM is for solids; a fluid has APIC. Leave it out."));
+}
+
 // What a parameter file says arrives in the structs of the rooms. The numbers are those of the text.
 TEST_CASE("A parameter file fills the parameters of all rooms", "[parameters]")
 {

@@ -6,14 +6,22 @@
 
 namespace magmpm
 {
+  /** What a node of less mass could give to a particle is below rounding [kg]. */
+  inline double
+  negligible_mass(const double typical_mass)
+  {
+    return 1e-12 * typical_mass;
+  }
+
   /**
    * Momentum to velocity on the owned nodes, Eqs. (33), (34): v_i = (m v)_i/m_i + dt g, times
    * exp(-rate dt) where there is damping, then the boundaries. The impulses of stress and magnetic force are in the momentum already. A node whose
    * mass is below 1e-12 of @p typical_mass is left at rest: what it could give to a particle is
    * below rounding.
    *
-   * @param damping_rate  dv/dt = -rate v [1/s].
-   * @param field         its momentum becomes velocity.
+   * @param damping_rate   dv/dt = -rate v [1/s].
+   * @param field          its momentum becomes velocity.
+   * @param unconstrained  on return the velocities without the boundaries; without blocks: not wanted.
    */
   template <int dim>
   void
@@ -23,5 +31,20 @@ namespace magmpm
                           const double time_step,
                           const double damping_rate,
                           const double typical_mass,
-                          NodeField<dim> &field);
+                          NodeField<dim> &field,
+                          NodeField<dim> &unconstrained);
+
+  /**
+   * P v on the owned nodes from its momenta, with the masses of @p motion. Where a boundary has changed the
+   * velocity (motion and @p unconstrained differ) P v is v: what is held there is no error of the transfer.
+   *
+   * @param filtered  its momentum, of filter_velocity(), becomes velocity.
+   */
+  template <int dim>
+  void
+  update_filtered_velocity(const BlockSet<dim> &blocks,
+                           const double typical_mass,
+                           const NodeField<dim> &motion,
+                           const NodeField<dim> &unconstrained,
+                           NodeField<dim> &filtered);
 } // namespace magmpm

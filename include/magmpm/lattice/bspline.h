@@ -26,8 +26,9 @@ namespace magmpm
   }
 
   /** Derivatives of the same weights with respect to the point, in units of 1/dx. */
+  template <typename Number>
   inline void
-  quadratic_bspline_derivative(const double offset, double (&derivatives)[stencil_width])
+  quadratic_bspline_derivative(const Number &offset, Number (&derivatives)[stencil_width])
   {
     derivatives[0] = offset - 1.5;
     derivatives[1] = -2. * (offset - 1.);

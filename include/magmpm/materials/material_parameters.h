@@ -11,6 +11,13 @@ namespace magmpm
     viscoelastic_fluid
   };
 
+  /** How velocities go from the lattice to the particles; see lattice_to_particles(). */
+  enum class Transfer
+  {
+    apic, ///< particles take over the lattice's velocity: what it cannot hold is lost in every step
+    fmpm  ///< what a transfer to and fro would lose is given back to them
+  };
+
   /** How the magnetization depends on the field; one law a scene. */
   enum class MagnetizationLaw
   {
@@ -46,6 +53,7 @@ namespace magmpm
     double lame_lambda   = 0.; ///< lambda [Pa], solid
     double bulk_modulus  = 0.; ///< K [Pa], fluid
     double viscosity     = 0.; ///< mu_N [Pa s], fluid
+    Transfer transfer    = Transfer::apic;
 
     MagneticParameters magnetic;
   };

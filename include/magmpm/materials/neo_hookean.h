@@ -128,8 +128,9 @@ namespace magmpm
      * for undeformed and uniaxially stretched material, and at most 4/3 of the eigenvalue in 3D.
      *
      * It is no less than half of dx omega/2 of a particle alone on its lattice,
-     *   density (dx omega/2)^2 = 2 mu b_max + dim lambda,
-     * which does not become slow when expanded, as waves in a body do.
+     *   density (dx omega/2)^2 = 3/2 (2 mu b_max + dim lambda),
+     * which does not become slow when expanded, as waves in a body do. The 3/2 is the largest value of
+     * dx^2/4 sum_i |grad N_i|^2/N_i, where the particle is halfway between two nodes.
      */
     Number
     wave_speed(const State &deformation_gradient) const
@@ -143,7 +144,8 @@ namespace magmpm
       const Number log_volume_ratio       = log(volume_ratio(deformation_gradient));
       const Number along                  = shear_modulus + lame_lambda * (1. - log_volume_ratio);
       const Number in_body                = shear_modulus * largest_stretch_square + max(along, 0.);
-      const Number alone = 0.5 * shear_modulus * largest_stretch_square + 0.25 * dim * lame_lambda;
+      const Number alone                  = 0.375 *
+                           (2. * shear_modulus * largest_stretch_square + dim * lame_lambda);
       return sqrt(max(in_body, alone) / density);
     }
 

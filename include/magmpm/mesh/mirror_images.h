@@ -33,26 +33,32 @@ namespace magmpm
    * Adds the images of material behind walls to a node field that P2G, or quadrature, made of the
    * material in front: c_i <- c_i + R c_(-i), i counted from the wall. Without them a body that touches
    * such a wall would fade out before it, with magnetic poles there. Particles reach one node behind a
-   * wall, so nodes -1, 0, 1 change; nodes -2 and -3 become images of 2 and 3. On owned nodes: blocks
-   * behind a wall have the owner of the one in front of it.
+   * wall, so nodes -1, 0, 1 change; nodes -2 and -3 become images of 2 and 3.
    *
-   * BlockPartition::add_ghosts_to_owners() does it on its way.
+   * BlockPartition::add_ghosts_to_owners() does it on its way for shielded walls, on owned nodes: there
+   * blocks behind a wall have the owner of the one in front of it. At other walls it is to be done
+   * before, on owned nodes and ghosts: what the particles of a rank give both is on that rank.
+   *
+   * @param n_slots  slots of the field that it is done in: blocks.n_owned(), or blocks.size().
    */
   template <int dim>
   void
   add_images(const BlockSet<dim> &blocks,
+             const int n_slots,
              const MirrorWalls<dim> &walls,
              const Parity &parity,
              NodeNumbers<dim> &field);
 
   /**
-   * Makes nodes -1, -2, -3 images of 1, 2, 3; what is odd becomes zero on the wall. On owned nodes.
+   * Makes nodes -1, -2, -3 images of 1, 2, 3; what is odd becomes zero on the wall.
    *
-   * BlockPartition::update_ghosts() does it on its way.
+   * BlockPartition::update_ghosts() does it on its way for shielded walls, on owned nodes. At other
+   * walls it is to be done afterwards, on owned nodes and ghosts.
    */
   template <int dim>
   void
   copy_images(const BlockSet<dim> &blocks,
+              const int n_slots,
               const MirrorWalls<dim> &walls,
               const Parity &parity,
               NodeNumbers<dim> &field);

@@ -4,6 +4,7 @@
 #include <magmpm/materials/material_parameters.h>
 #include <magmpm/parameters/parameter_register.h>
 
+#include <optional>
 #include <string>
 
 /** The subsections of the section Materials. */
@@ -17,6 +18,7 @@ namespace magmpm
     double youngs_modulus = 0., poisson_ratio = 0.; ///< either these
     double shear_modulus = 0., lame_lambda = 0.;    ///< or these
     double bulk_modulus = 0., viscosity = 0.;
+    std::optional<Transfer> transfer; ///< none: that of the law
 
     double saturation_magnetization = 0., initial_susceptibility = 0.; ///< either these
     double grain_moment = 0., grain_number_density = 0.;               ///< or these

@@ -28,6 +28,7 @@ namespace magmpm
     std::string name;
     Material<dim> material;
     MagneticParameters magnetic;
+    Transfer transfer;
     ParticleSet<dim> particles;
 
     /** Particles of the block in slot s, an owned one: run_begin[s] to run_begin[s + 1]. */

@@ -39,6 +39,16 @@ namespace magmpm
     alignas(64) double offsets[dim][batch_size]; ///< of the particle from the first node [dx]
   };
 
+  /** How the weights of a batch grow with the place of the particle, in units of 1/dx. */
+  template <int dim>
+  struct StencilSlopes
+  {
+    alignas(64) double along_row[stencil_width][batch_size]; ///< of StencilBatch::weights
+
+    /** Of StencilBatch::row_weights, along the other directions. */
+    alignas(64) double across[dim - 1][n_stencil_rows<dim>][batch_size];
+  };
+
   /**
    * What goes to or comes from the nodes around each particle of a batch, in the lanes of a node. To
    * the nodes goes a linear function: its value on the first node, and how much it grows from a node
@@ -99,6 +109,32 @@ namespace magmpm
           if constexpr (dim == 3)
             weight *= weights[2][r / stencil_width];
           weight.store(&stencils.row_weights[r][p]);
+        }
+    }
+
+    /** The slopes of the stencils from the one numbered @p p on, where place() put them. */
+    static void
+    find_slopes(const StencilBatch<dim> &stencils, const int p, StencilSlopes<dim> &slopes)
+    {
+      SimdDouble weights[dim][stencil_width], derivatives[dim][stencil_width];
+      for (int d = 0; d < dim; ++d)
+        {
+          const SimdDouble offset = SimdDouble::load(&stencils.offsets[d][p]);
+          quadratic_bspline(offset, weights[d]);
+          quadratic_bspline_derivative(offset, derivatives[d]);
+        }
+      for (int i = 0; i < stencil_width; ++i)
+        derivatives[0][i].store(&slopes.along_row[i][p]);
+      for (int r = 0; r < n_stencil_rows<dim>; ++r)
+        {
+          const int j = r % stencil_width, k = r / stencil_width;
+          if constexpr (dim == 2)
+            derivatives[1][j].store(&slopes.across[0][r][p]);
+          else
+            {
+              (derivatives[1][j] * weights[2][k]).store(&slopes.across[0][r][p]);
+              (weights[1][j] * derivatives[2][k]).store(&slopes.across[1][r][p]);
+            }
         }
     }
 

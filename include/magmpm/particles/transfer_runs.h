@@ -54,6 +54,15 @@ namespace magmpm
     });
   }
 
+  /** The slopes of the stencils of the first @p n particles of a batch. */
+  template <int dim>
+  inline void
+  find_slopes(const StencilBatch<dim> &stencils, const int n, StencilSlopes<dim> &slopes)
+  {
+    for (int p = 0; p < n; p += SimdDouble::n_lanes)
+      StencilsOfBlock<dim>::find_slopes(stencils, p, slopes);
+  }
+
   /** The run of @p body in the block of @p slot. */
   template <int dim>
   ParticleRun<dim>

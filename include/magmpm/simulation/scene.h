@@ -10,9 +10,9 @@
 #include <magmpm/parallel/reduce.h>
 #include <magmpm/parameters/parameters.h>
 #include <magmpm/particles/body.h>
-#include <magmpm/particles/particle_grid_transfer.h>
 #include <magmpm/particles/particle_sums.h>
 #include <magmpm/simulation/domain_decomposition.h>
+#include <magmpm/simulation/lattice_motion.h>
 #include <magmpm/simulation/scene_state.h>
 
 #include <mpi.h>
@@ -244,7 +244,7 @@ namespace magmpm
 
     std::unique_ptr<DomainDecomposition<dim>> decomposition;
     std::vector<Body<dim>> all_bodies;
-    NodeField<dim> lattice_field; ///< momentum, then velocity, and mass
+    LatticeMotion<dim> lattice_motion;
 
     SceneState<dim> state;
   };

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <magmpm/boundary/lattice_boundary.h>
+#include <magmpm/lattice/node_field.h>
+#include <magmpm/mesh/block_partition.h>
+#include <magmpm/parameters/parameters.h>
+#include <magmpm/particles/particle_grid_transfer.h>
+
+#include <vector>
+
+namespace magmpm
+{
+  /**
+   * Momentum and velocity on the lattice in a step, from the particles and back to them. At walls where
+   * material sticks the lattice goes on as an image that moves the other way: a B-spline that the wall
+   * cuts has its full support, and the clamp is where the wall is.
+   */
+  template <int dim>
+  class LatticeMotion
+  {
+  public:
+    explicit LatticeMotion(const Parameters<dim> &parameters);
+
+    /** Makes room for new blocks. */
+    void
+    reinit(const int n_blocks);
+
+    /** P2G, Eq. (28), summed over the ranks. */
+    void
+    sum_momentum(const BlockPartition<dim> &partition,
+                 const double time_step,
+                 std::vector<Body<dim>> &bodies);
+
+    /** Eqs. (33), (34): velocities, as gravity, damping, walls and scripted bodies leave them, on owned nodes. */
+    void
+    update_velocity(const BlockPartition<dim> &partition,
+                    const LatticeBoundary<dim> &boundary,
+                    const double time_step);
+
+    /** {velocity [m/s], mass [kg]}. */
+    NodeField<dim> &
+    field()
+    {
+      return motion;
+    }
+
+    /** A node whose mass is next to nothing beside this one is left alone [kg]. */
+    double
+    typical_mass() const
+    {
+      return particle_mass;
+    }
+
+    /** To be called once velocities are what they will be in this step: gives all ranks what G2P needs. */
+    void
+    finish(const BlockPartition<dim> &partition, std::vector<Body<dim>> &bodies);
+
+    /** G2P, Eqs. (35)-(37); see lattice_to_particles(). */
+    std::vector<ParticleExtremes>
+    move_particles(const BlockPartition<dim> &partition,
+                   const double time_step,
+                   std::vector<Body<dim>> &bodies) const;
+
+  private:
+    /** P v, but v where a wall or body has a say in it. */
+    void
+    filter(const BlockPartition<dim> &partition, std::vector<Body<dim>> &bodies);
+
+    /** Adds ghosts to their owners, with the images behind walls that material sticks to. */
+    void
+    sum(const BlockPartition<dim> &partition, NodeField<dim> &momentum) const;
+
+    /** The other way. */
+    void
+    copy(const BlockPartition<dim> &partition, NodeField<dim> &velocity) const;
+
+    const Lattice<dim> lattice;
+    const Vector<dim> gravity;
+    const double damping_rate;
+    const double particle_mass;
+    const MirrorWalls<dim> sticking_walls;
+    const bool is_filtered; ///< whether any body wants P v
+
+    NodeField<dim> motion;
+    NodeField<dim> unconstrained; ///< velocities without walls and bodies; used if is_filtered
+    NodeField<dim> filtered;      ///< likewise
+  };
+} // namespace magmpm

@@ -1,0 +1,142 @@
+#include <magmpm/boundary/momentum_update.h>
+#include <magmpm/simulation/lattice_motion.h>
+
+#include <algorithm>
+
+namespace magmpm
+{
+  namespace
+  {
+    constexpr Parity at_sticking_walls = {Parity::even, Parity::odd};
+
+    /** The largest mass of an undeformed particle [kg]. */
+    template <int dim>
+    double
+    typical_particle_mass(const Parameters<dim> &parameters)
+    {
+      double mass = 0.;
+      for (const BodyParameters<dim> &body : parameters.bodies)
+        mass = std::max(mass, body.density * body.particle_volume(parameters.lattice));
+      return mass;
+    }
+
+    template <int dim>
+    MirrorWalls<dim>
+    walls_to_stick_to(const Parameters<dim> &parameters)
+    {
+      MirrorWalls<dim> walls;
+      walls.n_cells = parameters.lattice.n_cells;
+      for (std::size_t face = 0; face < walls.is_mirror.size(); ++face)
+        walls.is_mirror[face] = (parameters.walls.condition[face] == WallCondition::stick);
+      return walls;
+    }
+
+    template <int dim>
+    bool
+    wants_filter(const Parameters<dim> &parameters)
+    {
+      return std::any_of(
+        parameters.bodies.begin(), parameters.bodies.end(), [&](const BodyParameters<dim> &body) {
+          return parameters.material_of(body).transfer == Transfer::fmpm;
+        });
+    }
+  } // namespace
+
+  template <int dim>
+  LatticeMotion<dim>::LatticeMotion(const Parameters<dim> &parameters)
+    : lattice(parameters.lattice)
+    , gravity(parameters.gravity)
+    , damping_rate(parameters.rest.damping_rate)
+    , particle_mass(typical_particle_mass(parameters))
+    , sticking_walls(walls_to_stick_to(parameters))
+    , is_filtered(wants_filter(parameters))
+  {
+  }
+
+  template <int dim>
+  void
+  LatticeMotion<dim>::reinit(const int n_blocks)
+  {
+    motion.reinit(n_blocks);
+    if (!is_filtered)
+      return;
+    unconstrained.reinit(n_blocks);
+    filtered.reinit(n_blocks);
+  }
+
+  template <int dim>
+  void
+  LatticeMotion<dim>::sum_momentum(const BlockPartition<dim> &partition,
+                                   const double time_step,
+                                   std::vector<Body<dim>> &bodies)
+  {
+    particles_to_lattice(bodies, partition.blocks(), lattice, time_step, motion);
+    sum(partition, motion);
+  }
+
+  template <int dim>
+  void
+  LatticeMotion<dim>::update_velocity(const BlockPartition<dim> &partition,
+                                      const LatticeBoundary<dim> &boundary,
+                                      const double time_step)
+  {
+    update_lattice_momentum(partition.blocks(),
+                            boundary,
+                            gravity,
+                            time_step,
+                            damping_rate,
+                            particle_mass,
+                            motion,
+                            unconstrained);
+  }
+
+  template <int dim>
+  void
+  LatticeMotion<dim>::finish(const BlockPartition<dim> &partition, std::vector<Body<dim>> &bodies)
+  {
+    copy(partition, motion);
+    if (is_filtered)
+      filter(partition, bodies);
+  }
+
+  template <int dim>
+  void
+  LatticeMotion<dim>::filter(const BlockPartition<dim> &partition, std::vector<Body<dim>> &bodies)
+  {
+    filtered.set_zero();
+    filter_velocity(bodies, partition.blocks(), lattice, motion, filtered);
+    sum(partition, filtered);
+    update_filtered_velocity(partition.blocks(), particle_mass, motion, unconstrained, filtered);
+    copy(partition, filtered);
+  }
+
+  template <int dim>
+  void
+  LatticeMotion<dim>::sum(const BlockPartition<dim> &partition, NodeField<dim> &momentum) const
+  {
+    const BlockSet<dim> &blocks = partition.blocks();
+    add_images(blocks, blocks.size(), sticking_walls, at_sticking_walls, momentum);
+    partition.add_ghosts_to_owners(momentum);
+  }
+
+  template <int dim>
+  void
+  LatticeMotion<dim>::copy(const BlockPartition<dim> &partition, NodeField<dim> &velocity) const
+  {
+    const BlockSet<dim> &blocks = partition.blocks();
+    partition.update_ghosts(velocity);
+    copy_images(blocks, blocks.size(), sticking_walls, at_sticking_walls, velocity);
+  }
+
+  template <int dim>
+  std::vector<ParticleExtremes>
+  LatticeMotion<dim>::move_particles(const BlockPartition<dim> &partition,
+                                     const double time_step,
+                                     std::vector<Body<dim>> &bodies) const
+  {
+    return lattice_to_particles(motion, filtered, partition.blocks(), lattice, time_step, bodies);
+  }
+
+  template class LatticeMotion<2>;
+  template class LatticeMotion<3>;
+} // namespace magmpm
