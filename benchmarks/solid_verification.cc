@@ -33,6 +33,22 @@ namespace
     double value, limit;
   };
 
+  void
+  print(const Value &value, const bool csv)
+  {
+    if (csv)
+      std::cout << '"' << value.name << "\"," << value.value << ',' << value.limit << std::endl;
+    else
+      {
+        std::printf("%-60s %10.4g  limit %8.4g%s\n",
+                    value.name.c_str(),
+                    value.value,
+                    value.limit,
+                    value.value <= value.limit ? "" : "  MISSED");
+        std::fflush(stdout);
+      }
+  }
+
   /** A run that gives one value or several. */
   struct Case
   {
@@ -176,17 +192,12 @@ namespace
     else
       std::cout << version_string() << '\n';
     for (const Case &one : cases)
-      if (one.name.compare(0, only.size(), only) == 0)
+      {
+        if (one.name.compare(0, only.size(), only) != 0)
+          continue;
         for (const Value &value : one.values())
-          if (csv)
-            std::cout << '"' << value.name << "\"," << value.value << ',' << value.limit
-                      << std::endl;
-          else
-            std::printf("%-60s %10.4g  limit %8.4g%s\n",
-                        value.name.c_str(),
-                        value.value,
-                        value.limit,
-                        value.value <= value.limit ? "" : "  MISSED");
+          print(value, csv);
+      }
   }
 } // namespace
 

@@ -70,7 +70,7 @@ namespace magmpm::benchmarks
               blocks = verification::active_blocks(bodies, lattice);
               verification::sort_all(blocks, lattice, bodies);
               if (bodies[0].transfer == Transfer::fmpm)
-                for (NodeField<3> *wanted : {&unconstrained, &filtered})
+                for (NodeField<3> *wanted : {&unconstrained, &filtered, &taken})
                   wanted->reinit(blocks.size());
               return field.reinit(blocks.size());
             case Phase::p2g:
@@ -78,7 +78,7 @@ namespace magmpm::benchmarks
             case Phase::lattice:
               return update_lattice();
             case Phase::g2p:
-              lattice_to_particles(field, filtered, blocks, lattice, time_step, bodies);
+              lattice_to_particles({field, filtered, taken}, blocks, lattice, time_step, bodies);
           }
       }
 
@@ -96,9 +96,10 @@ namespace magmpm::benchmarks
                                 unconstrained);
         if (bodies[0].transfer != Transfer::fmpm)
           return;
-        filtered.set_zero();
-        filter_velocity(bodies, blocks, lattice, field, filtered);
+        filter_velocity(bodies, {1.}, blocks, lattice, field, filtered);
         update_filtered_velocity(blocks, particle_mass, field, unconstrained, filtered);
+        give_back(
+          blocks, share_given_back(bodies[0], lattice.spacing, time_step), field, filtered, taken);
       }
 
       static WallParameters<3>
@@ -117,7 +118,7 @@ namespace magmpm::benchmarks
       double particle_mass;
       BlockSet<3> blocks;
       NodeField<3> field;
-      NodeField<3> unconstrained, filtered; // without blocks for APIC
+      NodeField<3> unconstrained, filtered, taken; // without blocks for APIC
     };
   } // namespace
 

@@ -6,6 +6,22 @@
 
 namespace magmpm
 {
+  namespace
+  {
+    /** Whether a boundary has changed the velocity of a node. */
+    template <int dim>
+    bool
+    is_held(const NodeField<dim> &motion,
+            const NodeField<dim> &unconstrained,
+            const int slot,
+            const int node)
+    {
+      const Vector<dim> velocity = motion.get(NodeMotion::velocity, slot, node);
+      const Vector<dim> free     = unconstrained.get(NodeMotion::velocity, slot, node);
+      return !std::equal(velocity.values, velocity.values + dim, free.values);
+    }
+  } // namespace
+
   template <int dim>
   void
   update_lattice_momentum(const BlockSet<dim> &blocks,
@@ -47,16 +63,49 @@ namespace magmpm
                            NodeField<dim> &filtered)
   {
     for_nodes(blocks, [&](const int slot, const int n) {
-      const Vector<dim> velocity = motion.get(NodeMotion::velocity, slot, n);
-      const Vector<dim> free     = unconstrained.get(NodeMotion::velocity, slot, n);
-      const double mass          = motion.get(NodeMotion::mass, slot, n);
-      const bool is_held         = !std::equal(velocity.values, velocity.values + dim, free.values);
+      const double mass = motion.get(NodeMotion::mass, slot, n);
       filtered.set(NodeMotion::velocity,
                    slot,
                    n,
-                   is_held || mass <= negligible_mass(typical_mass)
-                     ? velocity
+                   is_held(motion, unconstrained, slot, n) || mass <= negligible_mass(typical_mass)
+                     ? motion.get(NodeMotion::velocity, slot, n)
                      : (1. / mass) * filtered.get(NodeMotion::momentum, slot, n));
+    });
+  }
+
+  template <int dim>
+  void
+  give_back(const BlockSet<dim> &blocks,
+            const double share,
+            const NodeField<dim> &motion,
+            const NodeField<dim> &filtered,
+            NodeField<dim> &taken)
+  {
+    for_nodes_and_ghosts(blocks, [&](const int slot, const int n) {
+      const Vector<dim> velocity = motion.get(NodeMotion::velocity, slot, n);
+      taken.set(NodeMotion::velocity,
+                slot,
+                n,
+                velocity + share * (velocity - filtered.get(NodeMotion::velocity, slot, n)));
+    });
+  }
+
+  template <int dim>
+  void
+  give_back_by_particle(const BlockSet<dim> &blocks,
+                        const double typical_mass,
+                        const NodeField<dim> &motion,
+                        const NodeField<dim> &unconstrained,
+                        NodeField<dim> &taken)
+  {
+    for_nodes(blocks, [&](const int slot, const int n) {
+      const Vector<dim> velocity = motion.get(NodeMotion::velocity, slot, n);
+      const double mass          = motion.get(NodeMotion::mass, slot, n);
+      Vector<dim> given;
+      if (mass > negligible_mass(typical_mass) && !is_held(motion, unconstrained, slot, n))
+        given = (1. / mass) * (taken.get(NodeMotion::mass, slot, n) * velocity -
+                               taken.get(NodeMotion::momentum, slot, n));
+      taken.set(NodeMotion::velocity, slot, n, velocity + given);
     });
   }
 
@@ -73,7 +122,17 @@ namespace magmpm
                                          double,                      \
                                          const NodeField<dim> &,      \
                                          const NodeField<dim> &,      \
-                                         NodeField<dim> &);
+                                         NodeField<dim> &);           \
+  template void give_back(const BlockSet<dim> &,                      \
+                          double,                                     \
+                          const NodeField<dim> &,                     \
+                          const NodeField<dim> &,                     \
+                          NodeField<dim> &);                          \
+  template void give_back_by_particle(const BlockSet<dim> &,          \
+                                      double,                         \
+                                      const NodeField<dim> &,         \
+                                      const NodeField<dim> &,         \
+                                      NodeField<dim> &);
 
   INSTANTIATE(2)
   INSTANTIATE(3)

@@ -328,10 +328,13 @@ namespace magmpm
       lane_extremes.add_to(extremes);
     }
 
-    /** G2P, and P2G of what it gives, without any step in between. */
+    /** G2P, and P2G of what it gives, without any step in between, of @p factor times the masses. */
     template <int dim>
     [[gnu::flatten]] void
-    filter_run(const ParticleRun<dim> &run, const double *velocity, double *momentum)
+    filter_run(const ParticleRun<dim> &run,
+               const double factor,
+               const double *velocity,
+               double *momentum)
     {
       StencilBatch<dim> stencils;
       LinearBatch<dim> batch;
@@ -343,39 +346,14 @@ namespace magmpm
         batch.repeat_last(n);
         for_each_lanes(first, n, [&](const auto place, const int p) {
           const VectorAndMatrix<dim> motion = affine_motion(stencils, batch, run.spacing, p);
-          const SimdDouble mass             = load(run.particles.mass, place);
-          store_linear(stencils,
-                       SimdDouble(0.),
-                       mass * motion.vector,
-                       (run.spacing * mass) * motion.matrix,
-                       p,
-                       batch);
+          const SimdDouble mass             = factor * load(run.particles.mass, place);
+          store_linear(
+            stencils, mass, mass * motion.vector, (run.spacing * mass) * motion.matrix, p, batch);
         });
         scatter_batch(stencils, n, momentum, [&](const int p, auto &rows) {
           add_linear(stencils, batch, p, rows);
         });
       });
-    }
-
-    /** alpha of FMPM: what is given back of v - P v. */
-    template <int dim>
-    double
-    share_given_back(const Body<dim> &body, const double spacing, const double time_step)
-    {
-      constexpr double damping_time = 0.5; // of noise, in dx/c
-      return std::exp(-time_step * undeformed_wave_speed(body.material) / (damping_time * spacing));
-    }
-
-    /** v + alpha (v - P v) on all nodes of an arena. */
-    template <int dim>
-    void
-    give_back(const Arena<dim> &velocity,
-              const Arena<dim> &filtered,
-              const double share,
-              Arena<dim> &result)
-    {
-      for (int i = 0; i < Arena<dim>::n_nodes * n_lanes; ++i)
-        result.data()[i] = velocity.data()[i] + share * (velocity.data()[i] - filtered.data()[i]);
     }
   } // namespace
 
@@ -406,14 +384,26 @@ namespace magmpm
   }
 
   template <int dim>
+  double
+  share_given_back(const Body<dim> &body, const double spacing, const double time_step)
+  {
+    constexpr double damping_time = 0.5; // of noise, in dx/c
+    if (body.transfer == Transfer::apic)
+      return 0.;
+    return std::exp(-time_step * undeformed_wave_speed(body.material) / (damping_time * spacing));
+  }
+
+  template <int dim>
   void
   filter_velocity(std::vector<Body<dim>> &bodies,
+                  const std::vector<double> &factors,
                   const BlockSet<dim> &blocks,
                   const Lattice<dim> &lattice,
                   const NodeField<dim> &velocity,
-                  NodeField<dim> &filtered)
+                  NodeField<dim> &sums)
   {
     Arena<dim> from, to;
+    sums.set_zero();
     for_each_run(
       bodies,
       blocks,
@@ -423,42 +413,40 @@ namespace magmpm
         from.load(velocity, blocks, slot);
         to.set_zero();
       },
-      [&](const std::size_t, const ParticleRun<dim> &run) {
-        filter_run(run, from.data(), to.data());
+      [&](const std::size_t b, const ParticleRun<dim> &run) {
+        if (factors[b] != 0.)
+          filter_run(run, factors[b], from.data(), to.data());
       },
-      [&](const int slot) { to.add_to(filtered, blocks, slot); });
+      [&](const int slot) { to.add_to(sums, blocks, slot); });
   }
 
   template <int dim>
   std::vector<ParticleExtremes>
-  lattice_to_particles(const NodeField<dim> &velocity,
-                       const NodeField<dim> &filtered,
+  lattice_to_particles(const LatticeVelocities<dim> &velocities,
                        const BlockSet<dim> &blocks,
                        const Lattice<dim> &lattice,
                        const double time_step,
                        std::vector<Body<dim>> &bodies)
   {
     std::vector<ParticleExtremes> extremes(bodies.size());
-    const bool is_filtered = filtered.n_blocks() > 0;
-    Arena<dim> plain, smooth, given_back;
+    const bool is_filtered = velocities.filtered.n_blocks() > 0;
+    Arena<dim> plain, filtered, taken;
     for_each_run(
       bodies,
       blocks,
       lattice,
       all_bodies,
       [&](const int slot) {
-        plain.load(velocity, blocks, slot);
-        if (is_filtered)
-          smooth.load(filtered, blocks, slot);
+        plain.load(velocities.velocity, blocks, slot);
+        if (!is_filtered)
+          return;
+        filtered.load(velocities.filtered, blocks, slot);
+        taken.load(velocities.taken, blocks, slot);
       },
       [&](const std::size_t b, const ParticleRun<dim> &run) {
-        VelocityArenas arenas = {plain.data(), plain.data()};
-        if (bodies[b].transfer == Transfer::fmpm)
-          {
-            give_back(
-              plain, smooth, share_given_back(bodies[b], lattice.spacing, time_step), given_back);
-            arenas = {given_back.data(), smooth.data()};
-          }
+        const VelocityArenas arenas = {is_filtered ? taken.data() : plain.data(),
+                                       bodies[b].transfer == Transfer::fmpm ? filtered.data()
+                                                                            : plain.data()};
         std::visit(
           [&](const auto &law) {
             gather_velocity(
@@ -470,22 +458,23 @@ namespace magmpm
     return extremes;
   }
 
-#define INSTANTIATE(dim)                                                                   \
-  template void particles_to_lattice<dim>(std::vector<Body<dim>> &,                        \
-                                          const BlockSet<dim> &,                           \
-                                          const Lattice<dim> &,                            \
-                                          double,                                          \
-                                          NodeField<dim> &);                               \
-  template void filter_velocity<dim>(std::vector<Body<dim>> &,                             \
-                                     const BlockSet<dim> &,                                \
-                                     const Lattice<dim> &,                                 \
-                                     const NodeField<dim> &,                               \
-                                     NodeField<dim> &);                                    \
-  template std::vector<ParticleExtremes> lattice_to_particles<dim>(const NodeField<dim> &, \
-                                                                   const NodeField<dim> &, \
-                                                                   const BlockSet<dim> &,  \
-                                                                   const Lattice<dim> &,   \
-                                                                   double,                 \
+#define INSTANTIATE(dim)                                                                           \
+  template void particles_to_lattice<dim>(std::vector<Body<dim>> &,                                \
+                                          const BlockSet<dim> &,                                   \
+                                          const Lattice<dim> &,                                    \
+                                          double,                                                  \
+                                          NodeField<dim> &);                                       \
+  template double share_given_back<dim>(const Body<dim> &, double, double);                        \
+  template void filter_velocity<dim>(std::vector<Body<dim>> &,                                     \
+                                     const std::vector<double> &,                                  \
+                                     const BlockSet<dim> &,                                        \
+                                     const Lattice<dim> &,                                         \
+                                     const NodeField<dim> &,                                       \
+                                     NodeField<dim> &);                                            \
+  template std::vector<ParticleExtremes> lattice_to_particles<dim>(const LatticeVelocities<dim> &, \
+                                                                   const BlockSet<dim> &,          \
+                                                                   const Lattice<dim> &,           \
+                                                                   double,                         \
                                                                    std::vector<Body<dim>> &);
 
   INSTANTIATE(2)

@@ -62,6 +62,7 @@ namespace magmpm
       return;
     unconstrained.reinit(n_blocks);
     filtered.reinit(n_blocks);
+    taken.reinit(n_blocks);
   }
 
   template <int dim>
@@ -92,22 +93,29 @@ namespace magmpm
 
   template <int dim>
   void
-  LatticeMotion<dim>::finish(const BlockPartition<dim> &partition, std::vector<Body<dim>> &bodies)
+  LatticeMotion<dim>::finish(const BlockPartition<dim> &partition,
+                             const double time_step,
+                             std::vector<Body<dim>> &bodies)
   {
     copy(partition, motion);
-    if (is_filtered)
-      filter(partition, bodies);
-  }
-
-  template <int dim>
-  void
-  LatticeMotion<dim>::filter(const BlockPartition<dim> &partition, std::vector<Body<dim>> &bodies)
-  {
-    filtered.set_zero();
-    filter_velocity(bodies, partition.blocks(), lattice, motion, filtered);
+    if (!is_filtered)
+      return;
+    const BlockSet<dim> &blocks = partition.blocks();
+    filter_velocity(
+      bodies, std::vector<double>(bodies.size(), 1.), blocks, lattice, motion, filtered);
     sum(partition, filtered);
-    update_filtered_velocity(partition.blocks(), particle_mass, motion, unconstrained, filtered);
+    update_filtered_velocity(blocks, particle_mass, motion, unconstrained, filtered);
     copy(partition, filtered);
+
+    std::vector<double> shares;
+    for (const Body<dim> &body : bodies)
+      shares.push_back(share_given_back(body, lattice.spacing, time_step));
+    if (std::all_of(shares.begin(), shares.end(), [&](const double a) { return a == shares[0]; }))
+      return give_back(blocks, shares[0], motion, filtered, taken);
+    filter_velocity(bodies, shares, blocks, lattice, motion, taken);
+    sum(partition, taken);
+    give_back_by_particle(blocks, particle_mass, motion, unconstrained, taken);
+    copy(partition, taken);
   }
 
   template <int dim>
@@ -134,7 +142,8 @@ namespace magmpm
                                      const double time_step,
                                      std::vector<Body<dim>> &bodies) const
   {
-    return lattice_to_particles(motion, filtered, partition.blocks(), lattice, time_step, bodies);
+    return lattice_to_particles(
+      {motion, filtered, taken}, partition.blocks(), lattice, time_step, bodies);
   }
 
   template class LatticeMotion<2>;

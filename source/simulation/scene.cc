@@ -179,7 +179,7 @@ namespace magmpm
       decomposition->partition(), holder.lattice_boundary(), state.clock.time_step);
     holder.collide(
       state.clock, decomposition->blocks(), lattice_motion.typical_mass(), lattice_motion.field());
-    lattice_motion.finish(decomposition->partition(), all_bodies);
+    lattice_motion.finish(decomposition->partition(), state.clock.time_step, all_bodies);
   }
 
   template <int dim>

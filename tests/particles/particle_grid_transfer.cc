@@ -1,6 +1,7 @@
 #include <magmpm/lattice/node_window.h>
 #include <magmpm/particles/magnetic_transfer.h>
 #include <magmpm/particles/particle_grid_transfer.h>
+#include <magmpm/particles/particle_state.h>
 #include <magmpm/particles/particle_sums.h>
 
 #include "catch.h"
@@ -119,6 +120,15 @@ namespace
     return momentum;
   }
 
+  /** The velocities of a lattice where all bodies have APIC. */
+  template <int dim>
+  LatticeVelocities<dim>
+  only(const NodeField<dim> &velocity)
+  {
+    static const NodeField<dim> none;
+    return {velocity, none, none};
+  }
+
   /** The same step with the kernels under test; returns the momenta. */
   template <int dim>
   NodeField<dim>
@@ -137,7 +147,7 @@ namespace
           double *node = field.node(slot, n);
           divide_by_mass(node);
         }
-    lattice_to_particles(field, NodeField<dim>(), blocks, lattice, time_step, bodies);
+    lattice_to_particles(only(field), blocks, lattice, time_step, bodies);
     return momentum;
   }
 
@@ -290,7 +300,7 @@ TEMPLATE_TEST_CASE_SIG("G2P of a linear velocity field is exact",
       const std::vector<Body<dim>> before = bodies;
       const NodeField<dim> field =
         linear_field(NodeMotion::velocity, blocks, lattice, some_vector<dim>(), slope);
-      lattice_to_particles(field, NodeField<dim>(), blocks, lattice, time_step, bodies);
+      lattice_to_particles(only(field), blocks, lattice, time_step, bodies);
 
       std::vector<Body<dim>> expected = before;
       for (Body<dim> &body : expected)
@@ -410,7 +420,7 @@ TEMPLATE_TEST_CASE_SIG("The filter is symmetric, damps, and keeps linear fields"
 {
   // m P = G^T m_p G, with the velocity and the affine velocity of a particle orthogonal in its kinetic
   // energy: so u . m P v = v . m P u and 0 <= v . m P v <= v . m v. B-splines reproduce linear functions, and
-  // particles with C hold them, so P v = v of these.
+  // particles with C hold them, so P v = v of these. What one body alone loses has no momentum.
   const Lattice<dim> lattice    = test_lattice<dim>();
   std::vector<Body<dim>> bodies = random_bodies(lattice);
   const BlockSet<dim> blocks    = active_blocks(bodies, lattice);
@@ -419,7 +429,7 @@ TEMPLATE_TEST_CASE_SIG("The filter is symmetric, damps, and keeps linear fields"
   particles_to_lattice(bodies, blocks, lattice, 0., mass);
   const auto filtered = [&](const NodeField<dim> &velocity) {
     NodeField<dim> momentum(blocks.size());
-    filter_velocity(bodies, blocks, lattice, velocity, momentum);
+    filter_velocity(bodies, {1., 1.}, blocks, lattice, velocity, momentum);
     return momentum;
   };
 
@@ -437,6 +447,20 @@ TEMPLATE_TEST_CASE_SIG("The filter is symmetric, damps, and keeps linear fields"
   const double kept = product(v, filtered(v), blocks);
   CHECK(kept > 0.);
   CHECK(kept < 0.9 * whole);
+
+  NodeField<dim> of_one(blocks.size());
+  filter_velocity(bodies, {0.7, 0.}, blocks, lattice, v, of_one);
+  Vector<dim> lost;
+  double size = 0.;
+  for_nodes(blocks, [&](const int slot, const int n) {
+    const Vector<dim> here = of_one.get(NodeMotion::mass, slot, n) *
+                               v.get(NodeMotion::velocity, slot, n) -
+                             of_one.get(NodeMotion::momentum, slot, n);
+    lost += here;
+    size += norm(here);
+  });
+  CHECK(size > 1.);
+  CHECK(norm(lost) < 1e-12 * size);
 
   const NodeField<dim> line =
     linear_field(NodeMotion::velocity, blocks, lattice, some_vector<dim>(), some_matrix<dim>());
@@ -457,50 +481,59 @@ TEMPLATE_TEST_CASE_SIG("FMPM gives back what the filter takes, and moves with wh
                        2,
                        3)
 {
-  // v and P v are two linear fields a + A x and b + B x, which G2P reproduces: a solid with FMPM takes v +
-  // alpha (v - P v), alpha = exp(-2 dt c/dx), and moves by dt (b + B x) and deforms by I + dt B. The fluid
-  // has APIC and does not know of P v.
-  const Lattice<dim> lattice    = test_lattice<dim>();
-  const double time_step        = 0.01;
-  std::vector<Body<dim>> bodies = random_bodies(lattice);
-  bodies[0].transfer            = Transfer::fmpm;
-  const BlockSet<dim> blocks    = active_blocks(bodies, lattice);
-  sort_all(blocks, lattice, bodies);
-  std::vector<Body<dim>> expected = bodies;
-  const Vector<dim> a = some_vector<dim>(), b = 0.5 * a;
-  const Matrix<dim> A = some_matrix<dim>(), B = -0.3 * A;
-  const double share =
-    std::exp(-2. * time_step * std::sqrt((1.1 + 2. * 0.7) / 2.) / lattice.spacing);
-  CHECK(share < 0.9);
-  for (Body<dim> &body : expected)
-    for (std::size_t p = 0; p < body.particles.size(); ++p)
-      {
-        ParticleSet<dim> &particles = body.particles;
-        const bool is_solid         = body.name == "solid";
-        const Vector<dim> x         = particles.position(p);
-        const Vector<dim> v = a + A * x, filtered = b + B * x;
-        const Vector<dim> taken = is_solid ? v + share * (v - filtered) : v;
-        const Matrix<dim> slope = is_solid ? A + share * (A + (-1.) * B) : A;
-        const Vector<dim> way   = time_step * (is_solid ? filtered : v);
-        store_vector<dim>(taken, particles.arrays().velocity, p);
-        store_matrix<dim>(slope, particles.arrays().affine_velocity, p);
-        store_vector<dim>(x + way, particles.arrays().position, p);
-        if (is_solid)
-          store_state((identity<dim>() + time_step * B) *
-                        matrix_of(particles, ParticleProperty::deformation, p),
-                      p,
-                      particles);
-        else
-          particles.component(ParticleProperty::deformation,
-                              0)[p] *= std::exp(time_step * trace(A));
-      }
-  lattice_to_particles(linear_field(NodeMotion::velocity, blocks, lattice, a, A),
-                       linear_field(NodeMotion::velocity, blocks, lattice, b, B),
-                       blocks,
-                       lattice,
-                       time_step,
-                       bodies);
-  CHECK(largest_difference(bodies, expected) < 1e-12);
+  // v, P v and what is taken are three linear fields, which G2P reproduces. A solid with FMPM takes the last
+  // and moves and deforms by P v. A fluid moves by what it takes, too; a solid with APIC by v.
+  const Lattice<dim> lattice = test_lattice<dim>();
+  const double time_step     = 0.01;
+  const Vector<dim> a        = some_vector<dim>();
+  const Matrix<dim> A        = some_matrix<dim>();
+  for (const Transfer transfer : {Transfer::fmpm, Transfer::apic})
+    {
+      std::vector<Body<dim>> bodies = random_bodies(lattice);
+      bodies[0].transfer            = transfer;
+      const BlockSet<dim> blocks    = active_blocks(bodies, lattice);
+      sort_all(blocks, lattice, bodies);
+      std::vector<Body<dim>> expected = bodies;
+      for (Body<dim> &body : expected)
+        for (std::size_t p = 0; p < body.particles.size(); ++p)
+          {
+            ParticleSet<dim> &particles = body.particles;
+            const bool is_solid         = body.name == "solid";
+            const double moved          = !is_solid ? 2. : (transfer == Transfer::fmpm ? 0.5 : 1.);
+            const Vector<dim> x         = particles.position(p);
+            store_vector<dim>(2. * (a + A * x), particles.arrays().velocity, p);
+            store_matrix<dim>(2. * A, particles.arrays().affine_velocity, p);
+            store_vector<dim>(
+              x + (time_step * moved) * (a + A * x), particles.arrays().position, p);
+            if (is_solid)
+              store_state((identity<dim>() + (time_step * moved) * A) *
+                            matrix_of(particles, ParticleProperty::deformation, p),
+                          p,
+                          particles);
+            else
+              particles.component(ParticleProperty::deformation,
+                                  0)[p] *= std::exp(time_step * moved * trace(A));
+          }
+      const NodeField<dim> v = linear_field(NodeMotion::velocity, blocks, lattice, a, A);
+      const NodeField<dim> filtered =
+        linear_field(NodeMotion::velocity, blocks, lattice, 0.5 * a, 0.5 * A);
+      const NodeField<dim> taken =
+        linear_field(NodeMotion::velocity, blocks, lattice, 2. * a, 2. * A);
+      lattice_to_particles<dim>({v, filtered, taken}, blocks, lattice, time_step, bodies);
+      CHECK(largest_difference(bodies, expected) < 1e-12);
+    }
+}
+
+TEST_CASE("What FMPM gives back counts time", "[particles]")
+{
+  // alpha = exp(-2 dt c/dx): of two steps together as of one of their length. APIC gives nothing back.
+  Body<2> solid  = empty_body<2>(MechanicalLaw::neo_hookean, false);
+  const double c = std::sqrt((1.1 + 2. * 0.7) / 2.);
+  CHECK(share_given_back(solid, 0.1, 0.01) == 0.);
+  solid.transfer = Transfer::fmpm;
+  CHECK(share_given_back(solid, 0.1, 0.05) == Approx(std::exp(-c)));
+  CHECK(std::pow(share_given_back(solid, 0.1, 0.02), 2) ==
+        Approx(share_given_back(solid, 0.1, 0.04)));
 }
 
 TEST_CASE("G2P reports the extremes of each body, and what is not a number as infinite",
@@ -526,7 +559,7 @@ TEST_CASE("G2P reports the extremes of each body, and what is not a number as in
   NodeField<2> field = linear_field<2>(
     NodeMotion::velocity, blocks, lattice, {{3., 4.}}, Matrix<2>{{{0., -2.}, {2., 0.}}});
   std::vector<Body<2>> moved = bodies;
-  auto extremes = lattice_to_particles(field, NodeField<2>(), blocks, lattice, 0., moved);
+  auto extremes              = lattice_to_particles(only(field), blocks, lattice, 0., moved);
   REQUIRE(extremes.size() == 2);
   double speed = 0.;
   for (int p = 0; p < 3; ++p)
@@ -544,14 +577,14 @@ TEST_CASE("G2P reports the extremes of each body, and what is not a number as in
   const Index<2> node = lattice.nearest_node(bodies[0].particles.position(0));
   field.node(blocks.slot(block_of<2>(node)), (node[0] & 3) + 4 * (node[1] & 3))[0] = std::nan("");
   moved                                                                            = bodies;
-  extremes = lattice_to_particles(field, NodeField<2>(), blocks, lattice, 0., moved);
+  extremes = lattice_to_particles(only(field), blocks, lattice, 0., moved);
   CHECK(std::isinf(extremes[0].speed));
   CHECK(std::isinf(extremes[0].signal_speed));
 
   field.set_zero();
   moved = bodies;
   store_state(Matrix<2>{{{-1., 0.}, {0., 1.}}}, 1, moved[0].particles);
-  extremes = lattice_to_particles(field, NodeField<2>(), blocks, lattice, 0., moved);
+  extremes = lattice_to_particles(only(field), blocks, lattice, 0., moved);
   CHECK(std::isinf(extremes[0].max_inverse_volume_ratio));
   CHECK(extremes[0].max_volume_ratio == Approx(1.));
 }

@@ -57,32 +57,33 @@ namespace
 TEST_CASE("Bodies that meet merge and keep their momentum", "[program]")
 {
   // Two drops and two soft blocks fly into one another in free space. The lattice has one velocity,
-  // so they stick; momentum and angular momentum stay, and energy falls. (It rises by 2e-4 before they
-  // meet: the lattice sees the density near a corner of a drop a little wrong, and J follows it.)
+  // so they stick; momentum and angular momentum stay, the latter but for 1e-4 of FMPM, and energy falls. (It
+  // rises by 2e-4 before they meet: the lattice sees the density near a corner of a drop a little wrong, and
+  // J follows it.) The blocks differ in stiffness, so that they are given back different parts.
   ParameterText scene;
   scene.end_time = "0.05";
-  scene.add_fluid("water", "2e4", "0.1").add_solid("jelly", "1e4");
+  scene.add_fluid("water", "2e4", "0.1").add_solid("jelly", "1e4").add_solid("rubber", "4e4");
   scene.add_box("left", "water", "0.08, 0.08", "0.14, 0.14", "set Velocity = 1, 0.1\n")
     .add_box("right", "water", "0.18, 0.09", "0.24, 0.15", "set Velocity = -1, 0.1\n")
     .add_box("west", "jelly", "0.08, 0.2", "0.14, 0.26", "set Velocity = 1, -0.1\n")
-    .add_box("east", "jelly", "0.18, 0.21", "0.24, 0.27", "set Velocity = -1, -0.1\n");
+    .add_box("east", "rubber", "0.18, 0.21", "0.24, 0.27", "set Velocity = -1, -0.1\n");
   const Statistics statistics = statistics_of(scene, "merging");
   check_energy(statistics, 1e-3);
   const double momentum = 4. * 1000. * 0.06 * 0.06;
   CHECK(largest_change(statistics["momentum x [kg/s]"]) < 1e-12 * momentum);
   CHECK(largest_change(statistics["momentum y [kg/s]"]) < 1e-12 * momentum);
-  CHECK(largest_change(statistics["angular momentum z [kg m/s]"]) < 1e-12 * momentum);
+  CHECK(largest_change(statistics["angular momentum z [kg m/s]"]) < 1e-4 * momentum);
   CHECK(statistics.last("kinetic energy [J/m]") < 0.7 * statistics["kinetic energy [J/m]"].front());
 }
 
 TEST_CASE("A body that tears keeps what is conserved", "[program]")
 {
-  // A bar spins so fast that its middle cannot hold it: the ends fly off. No particle is lost and the
-  // momenta stay to rounding. Kinetic energy leaves out the spin of the particles in their own C, dx^2/4
+  // A bar spins so fast that its middle cannot hold it: the ends fly off. No particle is lost and, with
+  // APIC, the momenta stay to rounding. Kinetic energy leaves out the spin of the particles in their own C, dx^2/4
   // |C|^2/2 = 5e-5 Omega^2/2 per mass, which is 8.9 % of that of the bar: it may rise by so much.
   ParameterText scene;
   scene.end_time = "0.04";
-  scene.add_solid("jelly", "5e2")
+  scene.add_solid("jelly", "5e2", "set Transfer = APIC\n")
     .add_box("bar", "jelly", "0.12, 0.15", "0.2, 0.17", "set Angular velocity = 80\n");
   const Statistics statistics = statistics_of(scene, "tearing");
   check_energy(statistics, 0.089);

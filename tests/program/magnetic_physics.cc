@@ -244,7 +244,7 @@ TEST_CASE("A rod turns by the torque of the field", "[program]")
         change / std::abs(reached));
       CHECK(std::abs(reached) > 1e-4);
       CHECK(reached == Approx(integral).epsilon(0.02));
-      CHECK(change < 1e-6 * std::abs(reached));
+      CHECK(change < 1e-5 * std::abs(reached)); // of FMPM, of a rod that vibrates
       CHECK(statistics.last("time [s]") > 0.0119);
     }
 }

@@ -52,6 +52,7 @@ TEST_CASE("Momentum and angular momentum of a spinning body are kept", "[program
   // momentum and angular momentum: both stay what they were to rounding, 1e-12 of the start.
   const Outcome run =
     run_magmpm(falling_block + no_output + fixed_step("2.5e-4") +
+               "--set \"Materials/rubber/Transfer=APIC\" "
                "--set \"Gravity=0, 0, 0\" --set \"Bodies/block/Velocity=0.4, 0.3, 0.2\" "
                "--set \"Bodies/block/Angular velocity=10, 20, 30\" "
                "--set \"End time=0.1\" --set \"Output directory=spinning\"");

@@ -1,4 +1,5 @@
 
+#include <magmpm/boundary/momentum_update.h>
 #include <magmpm/lattice/bspline.h>
 #include <magmpm/lattice/node_window.h>
 #include <magmpm/materials/parameter_conversion.h>
@@ -132,13 +133,15 @@ namespace magmpm::verification
   void
   FreeSolid<dim>::step()
   {
+    const bool is_filtered = (parameters.transfer == Transfer::fmpm);
     const double dt = parameters.elastic_factor * lattice.spacing / (speed_of_sound + max_speed);
     if (way + max_speed * dt > 0.5 * lattice.spacing)
       {
         blocks = active_blocks(bodies, lattice);
         sort_all(blocks, lattice, bodies);
         motion.reinit(blocks.size());
-        filtered.reinit(blocks.size());
+        filtered.reinit(is_filtered ? blocks.size() : 0);
+        taken.reinit(is_filtered ? blocks.size() : 0);
         way = 0.;
       }
     particles_to_lattice(bodies, blocks, lattice, dt, motion);
@@ -153,13 +156,15 @@ namespace magmpm::verification
                  n,
                  parameters.frame_velocity + remaining * (velocity - parameters.frame_velocity));
     });
-    if (parameters.transfer == Transfer::fmpm)
+    if (is_filtered)
       {
-        filtered.set_zero();
-        filter_velocity(bodies, blocks, lattice, motion, filtered);
+        filter_velocity(bodies, {1.}, blocks, lattice, motion, filtered);
         divide(motion, filtered);
+        give_back(
+          blocks, share_given_back(bodies[0], lattice.spacing, dt), motion, filtered, taken);
       }
-    max_speed = lattice_to_particles(motion, filtered, blocks, lattice, dt, bodies)[0].speed;
+    max_speed =
+      lattice_to_particles<dim>({motion, filtered, taken}, blocks, lattice, dt, bodies)[0].speed;
     way += max_speed * dt;
     now += dt;
   }

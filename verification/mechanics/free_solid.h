@@ -95,7 +95,7 @@ namespace magmpm::verification
     std::function<Matrix<dim>(const Vector<dim> &, const Matrix<dim> &)> stress_from_outside;
 
     BlockSet<dim> blocks;
-    NodeField<dim> motion, filtered;
+    NodeField<dim> motion, filtered, taken;
     double now = 0., way = 0., max_speed = 0.;
   };
 } // namespace magmpm::verification

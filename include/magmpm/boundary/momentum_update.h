@@ -47,4 +47,32 @@ namespace magmpm
                            const NodeField<dim> &motion,
                            const NodeField<dim> &unconstrained,
                            NodeField<dim> &filtered);
+
+  /**
+   * v + alpha (v - P v) on all nodes, ghosts too, with the same alpha for all particles.
+   *
+   * @param motion, filtered  v and P v, ghosts up to date.
+   */
+  template <int dim>
+  void
+  give_back(const BlockSet<dim> &blocks,
+            const double share,
+            const NodeField<dim> &motion,
+            const NodeField<dim> &filtered,
+            NodeField<dim> &taken);
+
+  /**
+   * The same on the owned nodes, where particles differ in alpha: v + (sum_p alpha_p m_p N_ip v - B)/m,
+   * which leaves the momentum as it is.
+   *
+   * @param taken  the sums of filter_velocity() with the factors alpha, the momentum B and the mass; becomes
+   *               the velocity.
+   */
+  template <int dim>
+  void
+  give_back_by_particle(const BlockSet<dim> &blocks,
+                        const double typical_mass,
+                        const NodeField<dim> &motion,
+                        const NodeField<dim> &unconstrained,
+                        NodeField<dim> &taken);
 } // namespace magmpm

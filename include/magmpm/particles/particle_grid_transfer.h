@@ -51,6 +51,14 @@ namespace magmpm
                        NodeField<dim> &field);
 
   /**
+   * alpha of FMPM, exp(-2 dt c/dx) with the wave speed c of the undeformed material: what is given back of
+   * what a transfer to and fro would lose, so that the loss counts time, not steps. 0 with APIC.
+   */
+  template <int dim>
+  double
+  share_given_back(const Body<dim> &body, const double spacing, const double time_step);
+
+  /**
    * The lattice's velocity once to the particles and back, as APIC takes it:
    *   (m P v)_i = sum_p m_p N_ip [ v_p + C_p (x_i - x_p) ],
    *   v_p = sum_i N_ip v_i,  C_p = 4/dx^2 sum_i N_ip v_i (x_i - x_p)^T.
@@ -58,35 +66,44 @@ namespace magmpm
    * Nodes with next to no mass get v - P v of the order of dt a in every step, which the particles
    * never see.
    *
+   * Of each particle alone, sum_i m_p N_ip [ v_i - v_p - C_p (x_i - x_p) ] and its moment are zero: so the
+   * loss of some particles, each with a factor of its own, carries no momentum and no angular momentum.
+   *
+   * @param factors   of the masses, by body.
    * @param velocity  v, ghosts up to date.
-   * @param filtered  the sums over this rank's particles are added to it, also on ghosts.
+   * @param sums      on return the sums over this rank's particles, also on ghosts: momentum as above, and mass.
    */
   template <int dim>
   void
   filter_velocity(std::vector<Body<dim>> &bodies,
+                  const std::vector<double> &factors,
                   const BlockSet<dim> &blocks,
                   const Lattice<dim> &lattice,
                   const NodeField<dim> &velocity,
-                  NodeField<dim> &filtered);
+                  NodeField<dim> &sums);
+
+  /** The velocities of the lattice at the end of a step, ghosts up to date. */
+  template <int dim>
+  struct LatticeVelocities
+  {
+    const NodeField<dim> &velocity; ///< v
+    const NodeField<dim> &filtered; ///< P v; without blocks, as the next, if all bodies have APIC
+    const NodeField<dim> &taken;    ///< v and what FMPM gives back, v + alpha (v - P v)
+  };
 
   /**
    * G2P and advection, Eqs. (35-37): velocity and affine velocity from the nodes, then deformation
-   * and position over a step. What particles take, u, and what they move and deform with, w, is by
-   * the transfer of their material
-   *   apic:  u = w = v,
-   *   fmpm:  u = v + alpha (v - P v),  w = P v,  alpha = exp(-2 dt c/dx),
-   * with c the undeformed wave speed: FMPM(2) of Nairn and Hammerquist (Comput. Methods Appl. Mech. Engrg. 377, 113667, 2021), the loss of which counts
-   * time, not steps. P v is all that particles and lattice agree about: what F would take up of the
-   * rest, places would not. A solid deforms with the gradient of w, a fluid with C.
+   * and position over a step. Particles take v + alpha (v - P v), FMPM(2) of Nairn and Hammerquist (Comput.
+   * Methods Appl. Mech. Engrg. 377, 113667, 2021). With FMPM they move and deform by P v, all that particles
+   * and lattice agree about: what F would take up of the rest, places would not. With APIC a solid does
+   * so by v, and a fluid by what it takes. A solid deforms with the gradient of the lattice's field, a fluid
+   * with C.
    *
-   * @param velocity  v, ghosts up to date.
-   * @param filtered  P v, likewise; without blocks if no body has the transfer fmpm.
    * @return extremes over this rank's particles after the step, one per body.
    */
   template <int dim>
   std::vector<ParticleExtremes>
-  lattice_to_particles(const NodeField<dim> &velocity,
-                       const NodeField<dim> &filtered,
+  lattice_to_particles(const LatticeVelocities<dim> &velocities,
                        const BlockSet<dim> &blocks,
                        const Lattice<dim> &lattice,
                        const double time_step,

@@ -53,7 +53,9 @@ namespace magmpm
 
     /** To be called once velocities are what they will be in this step: gives all ranks what G2P needs. */
     void
-    finish(const BlockPartition<dim> &partition, std::vector<Body<dim>> &bodies);
+    finish(const BlockPartition<dim> &partition,
+           const double time_step,
+           std::vector<Body<dim>> &bodies);
 
     /** G2P, Eqs. (35)-(37); see lattice_to_particles(). */
     std::vector<ParticleExtremes>
@@ -62,10 +64,6 @@ namespace magmpm
                    std::vector<Body<dim>> &bodies) const;
 
   private:
-    /** P v, but v where a wall or body has a say in it. */
-    void
-    filter(const BlockPartition<dim> &partition, std::vector<Body<dim>> &bodies);
-
     /** Adds ghosts to their owners, with the images behind walls that material sticks to. */
     void
     sum(const BlockPartition<dim> &partition, NodeField<dim> &momentum) const;
@@ -83,6 +81,7 @@ namespace magmpm
 
     NodeField<dim> motion;
     NodeField<dim> unconstrained; ///< velocities without walls and bodies; used if is_filtered
-    NodeField<dim> filtered;      ///< likewise
+    NodeField<dim> filtered;      ///< P v, likewise
+    NodeField<dim> taken;         ///< v and what FMPM gives back, likewise
   };
 } // namespace magmpm
