@@ -116,12 +116,22 @@ namespace magmpm
                      Parameters<dim> &parameters)
   {
     parameters.bodies.resize(input.body_names.size());
+    input.shapes.shapes.resize(input.shapes.names.size());
     input.magnets.resize(input.magnet_names.size());
     parameters.rigid_bodies.resize(input.rigid_body_names.size());
     input.materials.resize(input.material_names.size());
     input.rigid_body_motions.resize(input.rigid_body_names.size());
 
     declare_scene(declarations, input, parameters);
+    {
+      const auto section = declarations.enter("Shapes");
+      declare_list(declarations,
+                   "List of shapes",
+                   input.shapes.names,
+                   "Names of shapes of which bodies and rigid bodies are made by union, difference "
+                   "and intersection; each has a subsection of its name here.");
+      declare_shapes(declarations, input.shapes);
+    }
     {
       const auto section = declarations.enter("Bodies");
       declare_list(declarations,
@@ -183,7 +193,7 @@ namespace magmpm
   template <int dim>
   void
   validate(const ParameterRegister &declarations,
-           const ParameterInput<dim> &input,
+           ParameterInput<dim> &input,
            Parameters<dim> &parameters)
   {
     parameters.lattice = lattice_of_box(declarations, input.box);
@@ -194,10 +204,12 @@ namespace magmpm
         input.material_names[i],
         input.materials[i],
         {parameters.magnetics.law, parameters.magnetics.curve.get(), input.temperature}));
-    const auto body_shapes =
-      check_bodies(declarations, input.material_names, parameters.lattice, parameters.bodies);
+    check_shapes(declarations, input.shapes);
+    const auto body_shapes = check_bodies(
+      declarations, input.material_names, input.shapes, parameters.lattice, parameters.bodies);
     check_magnets(declarations, input.magnet_names, input.magnets, body_shapes, parameters);
-    check_rigid_bodies(declarations, input.rigid_body_motions, body_shapes, parameters);
+    check_rigid_bodies(
+      declarations, input.rigid_body_motions, input.shapes, body_shapes, parameters);
     check_time_step(declarations, parameters.time_step, parameters.output.frame_interval);
     convert_checkpoint(declarations, parameters.checkpoint);
 
@@ -221,7 +233,7 @@ namespace magmpm
 
 #define INSTANTIATE(dim)                                                                           \
   template void declare_parameters(ParameterRegister &, ParameterInput<dim> &, Parameters<dim> &); \
-  template void validate(const ParameterRegister &, const ParameterInput<dim> &, Parameters<dim> &);
+  template void validate(const ParameterRegister &, ParameterInput<dim> &, Parameters<dim> &);
 
   INSTANTIATE(2)
   INSTANTIATE(3)
