@@ -1,0 +1,231 @@
+#include <magmpm/particles/cell_parts.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace magmpm
+{
+  template <int dim>
+  CellRange<dim>::CellRange(const BoundingBox<dim> &box, const Lattice<dim> &lattice)
+  {
+    const Vector<dim> lower = lattice.reduced(box.lower), upper = lattice.reduced(box.upper);
+    for (int d = 0; d < dim; ++d)
+      {
+        // Faces on nodes, up to the rounding of their coordinates, reach into no further cell.
+        const double rounding = 1e-14 * std::max({1., std::abs(lower[d]), std::abs(upper[d])});
+        first[d]              = static_cast<int>(std::floor(lower[d] + rounding));
+        count[d] = std::max(0, static_cast<int>(std::ceil(upper[d] - rounding)) - first[d]);
+      }
+  }
+
+  template <int dim>
+  double
+  CellRange<dim>::size() const
+  {
+    double size = 1.;
+    for (int d = 0; d < dim; ++d)
+      size *= count[d];
+    return size;
+  }
+
+  template <int dim>
+  std::size_t
+  CellRange<dim>::number(const Index<dim> &cell) const
+  {
+    std::size_t number = 0;
+    for (int d = dim - 1; d >= 0; --d)
+      number = number * count[d] + (cell[d] - first[d]);
+    return number;
+  }
+
+  template <int dim>
+  bool
+  CellRange<dim>::contains(const Index<dim> &cell) const
+  {
+    for (int d = 0; d < dim; ++d)
+      if (cell[d] < first[d] || cell[d] >= first[d] + count[d])
+        return false;
+    return true;
+  }
+
+  template <int dim>
+  bool
+  CellRange<dim>::advance(Index<dim> &cell) const
+  {
+    for (int d = 0; d < dim; ++d)
+      {
+        if (++cell[d] < first[d] + count[d])
+          return true;
+        cell[d] = first[d];
+      }
+    return false;
+  }
+
+  namespace
+  {
+    /** Of a cell: what is smaller is rounding, a small part, and a small one of a thin body. */
+    constexpr double nothing = 1e-13, small = 1. / 4., thin = 1. / 16.;
+
+    /** Where a part goes may depend on cells as far away as this. */
+    constexpr int reach = 3;
+
+    /** Parts of a box of cells, and which of them join which. */
+    template <int dim>
+    class Parts
+    {
+    public:
+      Parts(const Shape<dim> &shape,
+            const Lattice<dim> &lattice,
+            const CellRange<dim> &cells,
+            const std::function<bool(const Index<dim> &)> &may_hold)
+        : cells(cells)
+        , number_of(static_cast<std::size_t>(cells.size()), -1)
+      {
+        const double full = std::pow(lattice.spacing, dim);
+        Index<dim> cell   = cells.first;
+        if (number_of.empty())
+          return;
+        do
+          {
+            Index<dim> next = cell;
+            for (int &i : next)
+              ++i;
+            const RegionMoments<dim> moments =
+              shape.moments_within({lattice.node_position(cell), lattice.node_position(next)});
+            if (!(moments.volume > nothing * full))
+              continue;
+            number_of[cells.number(cell)] = static_cast<int>(all.size());
+            all.push_back({cell, moments});
+            volumes.push_back(may_hold(cell) ? moments.volume / full : 0.);
+          }
+        while (cells.advance(cell));
+      }
+
+      /** Moves small parts to those that they join. */
+      void
+      join(const Lattice<dim> &lattice)
+      {
+        const int n = static_cast<int>(all.size());
+        std::vector<int> target(n);
+        for (int p = 0; p < n; ++p)
+          target[p] = target_of(p);
+        for (int p = 0; p < n; ++p)
+          if (target[p] != p)
+            {
+              CellPart<dim> &other = all[target[p]];
+              Vector<dim> way;
+              for (int d = 0; d < dim; ++d)
+                way[d] = lattice.spacing * (other.cell[d] - all[p].cell[d]);
+              other.moments += moved_to(all[p].moments, way);
+            }
+        for (int p = 0; p < n; ++p)
+          is_left.push_back(target[p] == p);
+      }
+
+      /** Of @p layers, those that joined no other. */
+      std::vector<CellPart<dim>>
+      left(const int along, const int begin, const int end) const
+      {
+        std::vector<CellPart<dim>> result;
+        for (std::size_t p = 0; p < all.size(); ++p)
+          if (is_left[p] && all[p].cell[along] >= begin && all[p].cell[along] < end)
+            result.push_back(all[p]);
+        return result;
+      }
+
+    private:
+      const CellRange<dim> cells;
+      std::vector<int> number_of; ///< of the part in each cell; -1: none
+      std::vector<CellPart<dim>> all;
+      std::vector<double> volumes; ///< over that of a cell; 0 where a part must not stay
+      std::vector<bool> is_left;
+
+      /** The largest neighbour of a part that counts, of those across a face first; -1: there is none. */
+      template <typename Counts>
+      int
+      best_neighbour(const int p, const Counts &counts) const
+      {
+        int best = -1, fewest_axes = dim + 1;
+        for (int n = 0; n < power(3, dim); ++n)
+          {
+            Index<dim> cell = all[p].cell;
+            int n_axes      = 0;
+            for (int d = 0, rest = n; d < dim; rest /= 3, ++d)
+              {
+                cell[d] += rest % 3 - 1;
+                n_axes += (rest % 3 != 1);
+              }
+            if (n_axes == 0 || n_axes > fewest_axes || !cells.contains(cell))
+              continue;
+            const int other = number_of[cells.number(cell)];
+            if (other >= 0 && counts(other) &&
+                (n_axes < fewest_axes || volumes[other] > volumes[best]))
+              {
+                best        = other;
+                fewest_axes = n_axes;
+              }
+          }
+        return best;
+      }
+
+      int
+      large_neighbour(const int p) const
+      {
+        return best_neighbour(p, [&](const int other) { return volumes[other] >= small; });
+      }
+
+      /** The part that @p p joins; p if it stays. */
+      int
+      target_of(const int p) const
+      {
+        if (volumes[p] >= small)
+          return p;
+        const int large = large_neighbour(p);
+        if (large >= 0)
+          return large;
+        const auto stays_thin = [&](const int other) {
+          return volumes[other] >= thin && volumes[other] < small && large_neighbour(other) < 0;
+        };
+        if (volumes[p] >= thin)
+          return p;
+        const int other = best_neighbour(p, stays_thin);
+        return other >= 0 ? other : p;
+      }
+    };
+  } // namespace
+
+  template <int dim>
+  std::vector<CellPart<dim>>
+  cell_parts(const Shape<dim> &shape,
+             const Lattice<dim> &lattice,
+             const CellRange<dim> &range,
+             const int along,
+             const std::array<int, 2> &layers,
+             const std::function<bool(const Index<dim> &)> &may_hold)
+  {
+    CellRange<dim> cells = range;
+    const int begin      = std::max(0, layers[0] - reach);
+    const int end        = std::min(range.count[along], layers[1] + reach);
+    cells.first[along] += begin;
+    cells.count[along] = std::max(0, end - begin);
+    if (layers[0] >= layers[1])
+      return {};
+    Parts<dim> parts(shape, lattice, cells, may_hold);
+    parts.join(lattice);
+    return parts.left(along, range.first[along] + layers[0], range.first[along] + layers[1]);
+  }
+
+#define INSTANTIATE(dim)                               \
+  template struct CellRange<dim>;                      \
+  template std::vector<CellPart<dim>> cell_parts<dim>( \
+    const Shape<dim> &,                                \
+    const Lattice<dim> &,                              \
+    const CellRange<dim> &,                            \
+    int,                                               \
+    const std::array<int, 2> &,                        \
+    const std::function<bool(const Index<dim> &)> &);
+
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace magmpm
