@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace magmpm
 {
@@ -63,11 +64,17 @@ namespace magmpm
 
   namespace
   {
-    /** Of a cell: what is smaller is rounding, a small part, and a small one of a thin body. */
-    constexpr double nothing = 1e-13, small = 1. / 4., thin = 1. / 16.;
+    /** What is smaller than this part of a cell is rounding. */
+    constexpr double nothing = 1e-13;
 
-    /** Where a part goes may depend on cells as far away as this. */
-    constexpr int reach = 3;
+    /**
+     * Parts that are smaller than these parts of a cell join one that is not; the second where a body is too
+     * thin for the first, and so on.
+     */
+    constexpr double small[] = {1. / 4., 1. / 16., 1. / 64.};
+
+    /** Where a part goes may depend on cells as far away as this: one for each, and that which it joins. */
+    constexpr int reach = 1 + std::extent_v<decltype(small)>;
 
     /** Parts of a box of cells, and which of them join which. */
     template <int dim>
@@ -105,10 +112,8 @@ namespace magmpm
       void
       join(const Lattice<dim> &lattice)
       {
-        const int n = static_cast<int>(all.size());
-        std::vector<int> target(n);
-        for (int p = 0; p < n; ++p)
-          target[p] = target_of(p);
+        const int n                   = static_cast<int>(all.size());
+        const std::vector<int> target = targets();
         for (int p = 0; p < n; ++p)
           if (target[p] != p)
             {
@@ -168,28 +173,28 @@ namespace magmpm
         return best;
       }
 
-      int
-      large_neighbour(const int p) const
+      /** The part that each one joins; of those that stay their own number. */
+      std::vector<int>
+      targets() const
       {
-        return best_neighbour(p, [&](const int other) { return volumes[other] >= small; });
-      }
-
-      /** The part that @p p joins; p if it stays. */
-      int
-      target_of(const int p) const
-      {
-        if (volumes[p] >= small)
-          return p;
-        const int large = large_neighbour(p);
-        if (large >= 0)
-          return large;
-        const auto stays_thin = [&](const int other) {
-          return volumes[other] >= thin && volumes[other] < small && large_neighbour(other) < 0;
-        };
-        if (volumes[p] >= thin)
-          return p;
-        const int other = best_neighbour(p, stays_thin);
-        return other >= 0 ? other : p;
+        constexpr int open = -1;
+        const int n        = static_cast<int>(all.size());
+        std::vector<int> target(n, open);
+        for (const double least : small)
+          {
+            for (int p = 0; p < n; ++p)
+              if (target[p] == open && volumes[p] >= least)
+                target[p] = p;
+            // Those that stayed before have no neighbours that are still open.
+            for (int p = 0; p < n; ++p)
+              if (target[p] == open)
+                target[p] = best_neighbour(p,
+                                           [&](const int other) { return target[other] == other; });
+          }
+        for (int p = 0; p < n; ++p)
+          if (target[p] == open)
+            target[p] = p;
+        return target;
       }
     };
   } // namespace

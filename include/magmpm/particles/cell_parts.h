@@ -45,9 +45,9 @@ namespace magmpm
   /**
    * The parts of a shape in lattice cells. Those smaller than a quarter of a cell join the neighbour that
    * is not and has most volume, of those across a face if there is one. Where a body is thinner, with no such
-   * neighbour, parts smaller than a sixteenth of a cell join one that is not, in the same way; all
-   * others stay, so that a body never vanishes. A part depends on the shape within three cells of it,
-   * and on nothing else.
+   * neighbour, parts smaller than a sixteenth of a cell join one that is not, in the same way, and then
+   * those smaller than a 64th; all others stay, so that a body never vanishes. A part depends on the shape
+   * within four cells of it, and on nothing else.
    *
    * @param along      ranks share the cells by layers across this axis.
    * @param layers     the first layer of this rank and the one after its last, counted from the first cell
