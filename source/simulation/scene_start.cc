@@ -13,7 +13,7 @@ namespace magmpm
   void
   Scene<dim>::seed_bodies()
   {
-    // Particles keep out of rigid bodies, but not of the shapes of magnets that hold no material.
+    // Particles keep out of rigid bodies and solid magnets, which may touch what they fill.
     std::vector<Obstacle<dim>> obstacles;
     for (const RigidBody<dim> &rigid : holder.bodies().all())
       obstacles.push_back(
@@ -33,9 +33,8 @@ namespace magmpm
           throw InputError("body '" + body.name +
                            "' holds no particle: it is smaller than the distance between "
                            "particles. Make it larger, or 'Box/Cell size' smaller.");
-        state.notices.push_back(
-          {false, seeding_report(body, all_bodies[b].particles, communicator)});
       }
+    state.notices.push_back({false, seeding_report(parameters.bodies, all_bodies, communicator)});
   }
 
   template <int dim>

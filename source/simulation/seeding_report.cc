@@ -2,6 +2,8 @@
 #include <magmpm/parallel/reduce.h>
 #include <magmpm/simulation/seeding_report.h>
 
+#include <algorithm>
+
 namespace magmpm
 {
   namespace
@@ -47,38 +49,66 @@ namespace magmpm
         }
     }
 
+    using Row = std::vector<std::string>;
+
     template <int dim>
-    std::string
-    line_on(const std::string &what, const VolumeMoments<dim> &moments, const double density)
+    Row
+    row_of(const std::string &name, const VolumeMoments<dim> &moments, const double density)
     {
-      const std::string mass = (dim == 2 ? " kg/m" : " kg");
-      return what + ": volume " + to_text(moments.volume) + (dim == 2 ? " m^2" : " m^3") +
-             ", mass " + to_text(density * moments.volume) + mass + ", centroid " +
-             components(moments.centroid) + " m, inertia " +
-             components(moments_of_inertia(moments, density)) + (dim == 2 ? " kg m" : " kg m^2");
+      return {name,
+              to_text(moments.volume),
+              to_text(density * moments.volume),
+              components(moments.centroid),
+              components(moments_of_inertia(moments, density))};
+    }
+
+    /** Rows below each other, their columns at the same places. */
+    std::string
+    aligned(const std::vector<Row> &rows)
+    {
+      std::vector<std::size_t> widths(rows[0].size(), 0);
+      for (const Row &row : rows)
+        for (std::size_t c = 0; c < row.size(); ++c)
+          widths[c] = std::max(widths[c], row[c].size());
+      std::string text;
+      for (const Row &row : rows)
+        {
+          text += text.empty() ? "" : "\n  ";
+          for (std::size_t c = 0; c < row.size(); ++c)
+            text += row[c] +
+                    (c + 1 < row.size() ? std::string(widths[c] + 2 - row[c].size(), ' ') : "");
+        }
+      return text;
     }
   } // namespace
 
   template <int dim>
   std::string
-  seeding_report(const BodyParameters<dim> &parameters,
-                 const ParticleSet<dim> &particles,
+  seeding_report(const std::vector<BodyParameters<dim>> &parameters,
+                 const std::vector<Body<dim>> &bodies,
                  const MPI_Comm communicator)
   {
-    const VolumeMoments<dim> seeded = moments_of_particles(particles, communicator);
-    const std::string report =
-      line_on<dim>(parameters.name + " as seeded", seeded, parameters.density);
-    if (parameters.shape.type == ShapeType::points)
-      return report;
-    const std::string indent(parameters.name.size() + 2, ' ');
-    return report + "\n" + indent +
-           line_on<dim>(
-             "of its shape", make_shape(parameters.shape)->volume_moments(), parameters.density);
+    std::vector<Row> rows = {{"body",
+                              dim == 2 ? "volume [m^2]" : "volume [m^3]",
+                              dim == 2 ? "mass [kg/m]" : "mass [kg]",
+                              "centroid [m]",
+                              dim == 2 ? "inertia [kg m]" : "inertia [kg m^2]"}};
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+      {
+        const BodyParameters<dim> &body = parameters[b];
+        rows.push_back(row_of(body.name + ", seeded",
+                              moments_of_particles(bodies[b].particles, communicator),
+                              body.density));
+        if (body.shape.type != ShapeType::points)
+          rows.push_back(row_of(
+            body.name + ", its shape", make_shape(body.shape)->volume_moments(), body.density));
+      }
+    return aligned(rows);
   }
 
 #define INSTANTIATE(dim)               \
   template std::string seeding_report( \
-    const BodyParameters<dim> &, const ParticleSet<dim> &, MPI_Comm);
+    const std::vector<BodyParameters<dim>> &, const std::vector<Body<dim>> &, MPI_Comm);
 
   INSTANTIATE(2)
   INSTANTIATE(3)

@@ -226,6 +226,10 @@ TEST_CASE("Volumes of unions, differences and intersections", "[geometry]")
   CHECK(volume(*joined_boxes) == Approx(1.5).epsilon(1e-12));
   const BoundingBox<3> over_seam = {{{0.93, 0.3, 0.3}}, {{1.03, 0.4, 0.4}}};
   CHECK(joined_boxes->moments_within(over_seam).volume == Approx(1e-3).epsilon(1e-12));
+  // A slab of 0.01 between two faces, found without looking at parts of the box.
+  const auto slab = combined<3>(ShapeType::intersection,
+                                {a, box_between<3>({{0.99, 0., 0.}}, {{2., 1., 1.}})});
+  CHECK(slab->moments_within(over_seam, 0).volume == Approx(1e-4).epsilon(1e-9));
   const auto with_pit = combined<3>(ShapeType::difference,
                                     {a, box_between<3>({{0.2, 0.2, 0.5}}, {{0.8, 0.8, 1.}})});
   CHECK(volume(*with_pit) == Approx(1. - 0.6 * 0.6 * 0.5).epsilon(1e-9));

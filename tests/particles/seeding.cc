@@ -310,46 +310,51 @@ TEST_CASE("small parts join a neighbour, and no body vanishes", "[particles]")
   CHECK(box_from({{2.97, 3.97, 4.97}}, {{3.03, 4.03, 5.03}}).particles.size() == 8 * 8);
 }
 
-TEST_CASE("no particle is seeded behind a wall or in a rigid body that touches", "[particles]")
+TEMPLATE_TEST_CASE_SIG("no particle is seeded behind a wall or in a rigid body that touches",
+                       "[particles]",
+                       ((int dim), dim),
+                       2,
+                       3)
 {
-  // A half disc of fluid on the floor and an oblique cut above a rigid box, both by intersection: parts there
-  // are triangles, beyond whose base the places of a solid reach without this. What remains is inside the box of
-  // the lattice and outside of the rigid one, with the volume of the shape.
-  const Lattice<2> lattice = test_lattice<2>();
-  const double dx          = lattice.spacing;
-  BodyParameters<2> parameters;
-  parameters.name       = "wedge";
-  parameters.density    = 1000.;
-  parameters.shape.type = ShapeType::intersection;
-  ShapeParameters<2> disc, box;
-  disc.type        = ShapeType::sphere;
-  disc.radius      = 5.37 * dx;
-  box.lower_corner = lattice.lower_corner;
-  box.upper_corner = lattice.upper_corner();
-  for (const bool on_rigid_body : {false, true})
-    {
-      const double height    = on_rigid_body ? 3.62 : 0.;
-      box.lower_corner[1]    = lattice.lower_corner[1] + dx * height;
-      disc.centre            = lattice.lower_corner + dx * Vector<2>{{8.1, height - 4.9}};
-      parameters.shape.parts = {disc, box};
-      const auto table       = [&](const Vector<2> &point) {
-        return SurfaceDistance<2>{point[1] - box.lower_corner[1], {{0., 1.}}};
-      };
-      Body<2> body = empty_body<2>(MechanicalLaw::neo_hookean, false);
-      seed_particles<2>(parameters,
-                        lattice,
-                        0,
-                        0,
-                        1,
-                        body,
-                        on_rigid_body ? std::vector<Obstacle<2>>{table}
-                                      : std::vector<Obstacle<2>>());
-      REQUIRE(body.particles.size() > 8);
-      for (std::size_t p = 0; p < body.particles.size(); ++p)
-        CHECK(body.particles.position(p)[1] > box.lower_corner[1]);
-      CHECK(volume_of(body) ==
-            Approx(make_shape(parameters.shape)->volume_moments().volume).epsilon(2e-3));
-    }
+  // A lens on the floor, and on a rigid table, by intersection of a ball and a box: where it is thin its parts are
+  // wedges, below whose base the outer Gauss points of three an edge reach. They are put on it, so that none lies
+  // below; without the table a few do. The volume is that of the shape.
+  const Lattice<dim> lattice = test_lattice<dim>();
+  const double dx            = lattice.spacing;
+  BodyParameters<dim> parameters;
+  parameters.name               = "lens";
+  parameters.density            = 1000.;
+  parameters.particles_per_edge = 3;
+  parameters.shape.type         = ShapeType::intersection;
+  ShapeParameters<dim> ball, box;
+  ball.type            = ShapeType::sphere;
+  ball.radius          = 5.37 * dx;
+  box.lower_corner     = lattice.lower_corner;
+  box.upper_corner     = lattice.upper_corner();
+  const auto seeded_on = [&](const double height, const bool has_table) {
+    const double floor        = lattice.lower_corner[dim - 1] + dx * height;
+    box.lower_corner[dim - 1] = floor;
+    ball.centre               = 0.5 * (lattice.lower_corner + lattice.upper_corner());
+    ball.centre[dim - 1]      = floor - 4.6 * dx;
+    parameters.shape.parts    = {ball, box};
+    const Obstacle<dim> table = [floor](const Vector<dim> &point) {
+      SurfaceDistance<dim> found = {point[dim - 1] - floor, {}};
+      found.normal[dim - 1]      = 1.;
+      return found;
+    };
+    Body<dim> body = empty_body<dim>(MechanicalLaw::neo_hookean, false);
+    std::vector<Obstacle<dim>> obstacles;
+    if (has_table)
+      obstacles.push_back(table);
+    seed_particles(parameters, lattice, 0, 0, 1, body, obstacles);
+    CHECK(volume_of(body) ==
+          Approx(make_shape(parameters.shape)->volume_moments().volume).epsilon(2e-3));
+    const double *heights = body.particles.component(ParticleProperty::position, dim - 1);
+    return *std::min_element(heights, heights + body.particles.size()) - floor;
+  };
+  CHECK(seeded_on(0., false) > 0.);
+  CHECK(seeded_on(3.62, true) > 0.);
+  CHECK(seeded_on(3.62, false) < 0.);
 }
 
 TEMPLATE_TEST_CASE_SIG("any number of ranks seeds the same particles",

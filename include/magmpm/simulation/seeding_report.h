@@ -5,16 +5,18 @@
 #include <mpi.h>
 
 #include <string>
+#include <vector>
 
 namespace magmpm
 {
   /**
-   * Volume, mass, centroid and moments of inertia about it of a body as it was seeded, beside those of its
-   * shape: a line each, in 2D per metre of depth. A list of points is its own shape. Collective.
+   * A table of volume, mass, centroid and moments of inertia about it (about the axes; in 2D, where all is per
+   * metre of depth, the one across the plane) of bodies as they were seeded, below each that of its shape; a
+   * list of points has none. Collective; the same on all ranks.
    */
   template <int dim>
   std::string
-  seeding_report(const BodyParameters<dim> &parameters,
-                 const ParticleSet<dim> &particles,
+  seeding_report(const std::vector<BodyParameters<dim>> &parameters,
+                 const std::vector<Body<dim>> &bodies,
                  const MPI_Comm communicator);
 } // namespace magmpm
