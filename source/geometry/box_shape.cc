@@ -63,7 +63,8 @@ namespace magmpm
   VolumeMoments<dim>
   BoxShape<dim>::volume_moments() const
   {
-    return about_centroid(moments_of(box), middle_of(box));
+    const RegionMoments<dim> moments = moments_of(box);
+    return {moments.volume, middle_of(box), moments.second};
   }
 
   template <int dim>
