@@ -98,6 +98,11 @@ namespace magmpm
                                    "materials is '" +
                                      comma_separated(material_names) + "'" +
                                      did_you_mean(body.material, material_names));
+        if (body.arrangement == Arrangement::face_centred && body.particles_per_edge == 1)
+          throw declarations.error(
+            section + "/Arrangement",
+            "with Particles per edge = 1 every other cell would be empty; it "
+            "takes 2 or more.");
         shapes.push_back(check_shape(declarations, section, named_shapes, body.shape));
         if (body.shape.type == ShapeType::points)
           check_points(declarations,

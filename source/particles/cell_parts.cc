@@ -81,10 +81,7 @@ namespace magmpm
     class Parts
     {
     public:
-      Parts(const Shape<dim> &shape,
-            const Lattice<dim> &lattice,
-            const CellRange<dim> &cells,
-            const std::function<bool(const Index<dim> &)> &may_hold)
+      Parts(const Shape<dim> &shape, const Lattice<dim> &lattice, const CellRange<dim> &cells)
         : cells(cells)
         , number_of(static_cast<std::size_t>(cells.size()), -1)
       {
@@ -103,7 +100,7 @@ namespace magmpm
               continue;
             number_of[cells.number(cell)] = static_cast<int>(all.size());
             all.push_back({cell, moments});
-            volumes.push_back(may_hold(cell) ? moments.volume / full : 0.);
+            volumes.push_back(moments.volume / full);
           }
         while (cells.advance(cell));
       }
@@ -142,7 +139,7 @@ namespace magmpm
       const CellRange<dim> cells;
       std::vector<int> number_of; ///< of the part in each cell; -1: none
       std::vector<CellPart<dim>> all;
-      std::vector<double> volumes; ///< over that of a cell; 0 where a part must not stay
+      std::vector<double> volumes; ///< over that of a cell, before they are joined
       std::vector<bool> is_left;
 
       /** The largest neighbour of a part that counts, of those across a face first; -1: there is none. */
@@ -205,8 +202,7 @@ namespace magmpm
              const Lattice<dim> &lattice,
              const CellRange<dim> &range,
              const int along,
-             const std::array<int, 2> &layers,
-             const std::function<bool(const Index<dim> &)> &may_hold)
+             const std::array<int, 2> &layers)
   {
     CellRange<dim> cells = range;
     const int begin      = std::max(0, layers[0] - reach);
@@ -215,20 +211,18 @@ namespace magmpm
     cells.count[along] = std::max(0, end - begin);
     if (layers[0] >= layers[1])
       return {};
-    Parts<dim> parts(shape, lattice, cells, may_hold);
+    Parts<dim> parts(shape, lattice, cells);
     parts.join(lattice);
     return parts.left(along, range.first[along] + layers[0], range.first[along] + layers[1]);
   }
 
-#define INSTANTIATE(dim)                               \
-  template struct CellRange<dim>;                      \
-  template std::vector<CellPart<dim>> cell_parts<dim>( \
-    const Shape<dim> &,                                \
-    const Lattice<dim> &,                              \
-    const CellRange<dim> &,                            \
-    int,                                               \
-    const std::array<int, 2> &,                        \
-    const std::function<bool(const Index<dim> &)> &);
+#define INSTANTIATE(dim)                                                      \
+  template struct CellRange<dim>;                                             \
+  template std::vector<CellPart<dim>> cell_parts<dim>(const Shape<dim> &,     \
+                                                      const Lattice<dim> &,   \
+                                                      const CellRange<dim> &, \
+                                                      int,                    \
+                                                      const std::array<int, 2> &);
 
   INSTANTIATE(2)
   INSTANTIATE(3)

@@ -169,13 +169,6 @@ namespace magmpm
             cell_places<dim>(rule, parameters.particles_per_edge, parameters.arrangement, parity);
       }
 
-      /** Whether any place in a cell holds a particle. */
-      bool
-      may_hold(const Index<dim> &cell) const
-      {
-        return !places[parity_of(cell)].empty();
-      }
-
       /** @param first_id  that of the first place in the cell. */
       void
       seed(const CellPart<dim> &part,
@@ -190,7 +183,7 @@ namespace magmpm
         const Matrix<dim> map            = 2. * std::sqrt(3.) *
                                 symmetric_root((1. / moments.volume) * moments.second);
         const double jitter = parameters.jitter / parameters.particles_per_edge;
-        for (const CellPlace<dim> &place : places[may_hold(part.cell) ? parity_of(part.cell) : 0])
+        for (const CellPlace<dim> &place : places[parity_of(part.cell)])
           {
             const std::uint64_t id = first_id + place.number;
             Vector<dim> local      = place.position;
@@ -259,9 +252,8 @@ namespace magmpm
     const auto layer = [&](const std::uint64_t rank_there) {
       return static_cast<int>(range.count[along] * rank_there / n_ranks);
     };
-    const auto may_hold = [&](const Index<dim> &cell) { return seeder.may_hold(cell); };
     for (const CellPart<dim> &part :
-         cell_parts<dim>(*shape, lattice, range, along, {layer(rank), layer(rank + 1)}, may_hold))
+         cell_parts<dim>(*shape, lattice, range, along, {layer(rank), layer(rank + 1)}))
       seeder.seed(
         part, first_id + places_per_cell * range.number(part.cell), obstacles, body.particles);
   }

@@ -212,6 +212,10 @@ TEST_CASE("Messages on bodies", "[parameters]")
   CHECK(message_with("Bodies/cube/Material=klay") ==
         "Bodies/cube/Material = klay: there is no material of this name. Materials/List of "
         "materials is 'clay'; did you mean 'clay'?");
+  CHECK(
+    message_with("Bodies/cube/Arrangement=face-centred", {"Bodies/cube/Particles per edge=1"}) ==
+    "Bodies/cube/Arrangement = face-centred: with Particles per edge = 1 every other cell would be "
+    "empty; it takes 2 or more.");
   CHECK(message_with("Bodies/cube/Shape=sphere") ==
         "cube.prm: Bodies/cube/Centre is not given: Shape = sphere needs it.");
   CHECK(message_with("Bodies/cube/Radius=1") ==

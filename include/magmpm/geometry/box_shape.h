@@ -26,7 +26,7 @@ namespace magmpm
 
     /** Exact. */
     RegionMoments<dim>
-    moments_within(const BoundingBox<dim> &box, const int depth = cell_depth<dim>) const override;
+    moments_within(const BoundingBox<dim> &cell, const int depth = cell_depth<dim>) const override;
 
     std::vector<Vector<dim>>
     surface_points(const double spacing) const override;

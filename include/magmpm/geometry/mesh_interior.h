@@ -23,11 +23,11 @@ namespace magmpm
     contains(const Vector<3> &point) const;
 
     /**
-     * Moments, about the middle of @p box, of what the mesh encloses in it: exact (ColumnMoments), where
+     * Moments, about the middle of @p cell, of what the mesh encloses in it: exact (ColumnMoments), where
      * no triangle comes near by one look whether the middle is inside.
      */
     RegionMoments<3>
-    moments_within(const BoundingBox<3> &box) const;
+    moments_within(const BoundingBox<3> &cell) const;
 
   private:
     const TriangleMesh &mesh;

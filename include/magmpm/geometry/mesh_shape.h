@@ -43,7 +43,7 @@ namespace magmpm
 
     /** Exact. */
     RegionMoments<3>
-    moments_within(const BoundingBox<3> &box, const int depth = cell_depth<3>) const override;
+    moments_within(const BoundingBox<3> &cell, const int depth = cell_depth<3>) const override;
 
     std::vector<Vector<3>>
     surface_points(const double spacing) const override;

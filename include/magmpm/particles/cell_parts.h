@@ -3,7 +3,7 @@
 #include <magmpm/geometry/shape.h>
 #include <magmpm/lattice/lattice.h>
 
-#include <functional>
+#include <array>
 #include <vector>
 
 namespace magmpm
@@ -52,7 +52,6 @@ namespace magmpm
    * @param along      ranks share the cells by layers across this axis.
    * @param layers     the first layer of this rank and the one after its last, counted from the first cell
    *                   of @p range.
-   * @param may_hold   which cells can hold a part; what is in others joins a neighbour whatever its size.
    */
   template <int dim>
   std::vector<CellPart<dim>>
@@ -60,6 +59,5 @@ namespace magmpm
              const Lattice<dim> &lattice,
              const CellRange<dim> &range,
              const int along,
-             const std::array<int, 2> &layers,
-             const std::function<bool(const Index<dim> &)> &may_hold);
+             const std::array<int, 2> &layers);
 } // namespace magmpm

@@ -24,7 +24,7 @@ namespace magmpm
   };
 
   /**
-   * The places of n along each edge that hold particles.
+   * The places of n along each edge that hold particles; face-centred n must be 2 or more.
    *
    * @param parity  face-centred: of the places along all axes together before the cell's first one; even
    *                and odd cells are alike if n is even. Then centroid and moments of inertia of the places
