@@ -150,8 +150,8 @@ namespace magmpm
   CombinedShape<dim>::points_on_both(const std::vector<Vector<dim>> &points,
                                      const double spacing) const
   {
-    constexpr int n_steps = 20;
-    const double near     = 1e3 * tolerance * size_of(*first);
+    constexpr int n_steps = 60;
+    const double near     = tolerance * size_of(*first);
     std::vector<Vector<dim>> result;
     for (const Vector<dim> &start : points)
       {
@@ -159,14 +159,18 @@ namespace magmpm
           continue;
         // From one surface to the other in turn.
         Vector<dim> point = start;
-        for (int i = 0; i < n_steps; ++i)
+        for (int i = 0;
+             i < n_steps && std::abs(second->surface_distance(point).distance) > 0.1 * near;
+             ++i)
           for (const Shape<dim> *shape : {second.get(), first.get()})
             {
               const SurfaceDistance<dim> found = shape->surface_distance(point);
               point -= found.distance * found.normal;
             }
-        if (std::abs(second->surface_distance(point).distance) < near &&
-            norm(point - start) < 2. * spacing)
+        // Not so where distances come from samples of a mesh.
+        if (norm(point - start) < 2. * spacing &&
+            side_of(*first, point, near) == SurfaceSide::surface &&
+            side_of(*second, point, near) == SurfaceSide::surface)
           result.push_back(point);
       }
     return result;

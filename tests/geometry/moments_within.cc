@@ -5,6 +5,7 @@
 #include <magmpm/base/constants.h>
 #include <magmpm/geometry/box_shape.h>
 #include <magmpm/geometry/column_moments.h>
+#include <magmpm/geometry/combined_shape.h>
 #include <magmpm/geometry/mesh_shape.h>
 #include <magmpm/geometry/shape_overlap.h>
 #include <magmpm/motion/pose.h>
@@ -270,6 +271,28 @@ TEST_CASE("The surface of a shape made of others", "[geometry]")
       const Vector<2> x = random_point(engine, snowman->bounding_box());
       CHECK(snowman->contains(x) == (snowman->surface_distance(x).distance <= 0.));
     }
+}
+
+// What a ball cuts out of a box, or of a mesh, lies beside what is left: they share the cut and nothing else, and
+// have the volume of the whole, up to what cells cut by planes miss.
+TEST_CASE("Parts of a cut shape do not overlap", "[geometry]")
+{
+  const auto check = [](std::unique_ptr<const Shape<3>> (*body)()) {
+    const auto part = [&](const Combination combination) {
+      return CombinedShape<3>(combination, body(), make_shape(ball_at<3>({{0.9, 0.8, 0.7}}, 0.5)));
+    };
+    const CombinedShape<3> left = part(Combination::difference);
+    const CombinedShape<3> bite = part(Combination::intersection);
+    CHECK(left.volume_moments().volume + bite.volume_moments().volume ==
+          Approx(body()->volume_moments().volume).epsilon(1e-4));
+    CHECK_FALSE(overlap(left, bite, 0.1));
+  };
+  check([]() -> std::unique_ptr<const Shape<3>> {
+    return std::make_unique<BoxShape<3>>(Vector<3>{}, Vector<3>{{1., 1., 1.}});
+  });
+  check([]() -> std::unique_ptr<const Shape<3>> {
+    return std::make_unique<MeshShape>(moved(unit_sphere(3), 0.7, {{0.5, 0.5, 0.5}}));
+  });
 }
 
 // A ring touches nothing that is in its hole, though its centroid is there; a ball too large for it does.

@@ -55,6 +55,7 @@ namespace magmpm
     RegionMoments<dim>
     moments_within(const BoundingBox<dim> &box, const int depth = cell_depth<dim>) const override;
 
+    /** Those of the two, and on edges that they make together; not on those of a mesh with another shape. */
     std::vector<Vector<dim>>
     surface_points(const double spacing) const override;
 
