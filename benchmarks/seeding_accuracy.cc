@@ -4,6 +4,7 @@
 #include <magmpm/base/constants.h>
 #include <magmpm/parallel/error_report.h>
 #include <magmpm/particles/seeding.h>
+#include <magmpm/particles/undeformed_moments.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -57,26 +58,14 @@ namespace
   }
 
   template <int dim>
-  VolumeMoments<dim>
-  moments_of(const ParticleSet<dim> &particles, const Vector<dim> &origin)
-  {
-    RegionMoments<dim> sum;
-    for (std::size_t p = 0; p < particles.size(); ++p)
-      {
-        const double volume = particles.component(ParticleProperty::volume, 0)[p];
-        const Vector<dim> r = particles.position(p) - origin;
-        sum += {volume, volume * r, volume * outer(r, r)};
-      }
-    return about_centroid(sum, origin);
-  }
-
-  template <int dim>
   Errors
   errors_of(const BodyParameters<dim> &parameters, const VolumeMoments<dim> &exact)
   {
     Body<dim> body = empty_body<dim>(MechanicalLaw::neo_hookean, false);
     seed_particles(parameters, unit_lattice<dim>(), 0, 0, 1, body);
-    const VolumeMoments<dim> found = moments_of(body.particles, exact.centroid);
+    const Vector<dim> &origin      = exact.centroid;
+    const VolumeMoments<dim> found = about_centroid(undeformed_moments(body.particles, origin),
+                                                    origin);
     Errors errors                  = {
                        std::abs(found.volume / exact.volume - 1.), 0., norm(found.centroid - exact.centroid), 0.};
     const std::unique_ptr<Shape<dim>> shape = make_shape(parameters.shape);

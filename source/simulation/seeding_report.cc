@@ -1,5 +1,6 @@
 #include <magmpm/base/number_text.h>
 #include <magmpm/parallel/reduce.h>
+#include <magmpm/particles/undeformed_moments.h>
 #include <magmpm/simulation/seeding_report.h>
 
 #include <algorithm>
@@ -13,14 +14,8 @@ namespace magmpm
     VolumeMoments<dim>
     moments_of_particles(const ParticleSet<dim> &particles, const MPI_Comm communicator)
     {
-      const double *volumes = particles.component(ParticleProperty::volume, 0);
-      const auto add_up     = [&](const Vector<dim> &origin) {
-        RegionMoments<dim> sum;
-        for (std::size_t p = 0; p < particles.size(); ++p)
-          {
-            const Vector<dim> r = particles.position(p) - origin;
-            sum += {volumes[p], volumes[p] * r, volumes[p] * outer(r, r)};
-          }
+      const auto add_up = [&](const Vector<dim> &origin) {
+        RegionMoments<dim> sum = undeformed_moments(particles, origin);
         parallel::Reduction reduction;
         reduction.sum(sum.volume);
         reduction.sum(sum.first);

@@ -1,5 +1,6 @@
 #include <magmpm/base/constants.h>
 #include <magmpm/particles/seeding.h>
+#include <magmpm/particles/undeformed_moments.h>
 
 #include "catch.h"
 
@@ -60,14 +61,7 @@ namespace
   moments_of(const Body<dim> &body)
   {
     const Vector<dim> origin = body.particles.position(0);
-    RegionMoments<dim> sum;
-    for (std::size_t p = 0; p < body.particles.size(); ++p)
-      {
-        const double volume = body.particles.component(ParticleProperty::volume, 0)[p];
-        const Vector<dim> r = body.particles.position(p) - origin;
-        sum += {volume, volume * r, volume * outer(r, r)};
-      }
-    return about_centroid(sum, origin);
+    return about_centroid(undeformed_moments(body.particles, origin), origin);
   }
 
   /** A sphere of radius 5.3 dx or, in 3D, a cylinder, around no special point of the lattice. */
