@@ -135,7 +135,7 @@ namespace
 
   const Errors exact_limits = {1e-12, 1e-12, 1e-12, 1e-12};
   const Errors round_limits = {1e-3, 5e-3, 0.01, 0.3};
-  const Errors mesh_limits  = {5e-3, 5e-3, 0.01, 0.3};
+  const Errors mesh_limits  = {5e-3, 5e-3, 0.01, 0.4};
   // Limbs that pass through the same cell share its particles; and distances from meshes err by half a cell here.
   const Errors limb_limits = {5e-3, 5e-3, 0.01, 1.};
 

@@ -9,7 +9,7 @@ namespace magmpm
   namespace
   {
     /** What is less than this part of a box is nothing: rounding. */
-    constexpr double nothing = 1e-12;
+    constexpr double nothing = 1e-14;
 
     /** An estimate holds if those of the parts of the box differ from it by less than this part of a cell. */
     constexpr double agreement = 1e-4;

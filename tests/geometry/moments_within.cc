@@ -230,6 +230,11 @@ TEST_CASE("Volumes of unions, differences and intersections", "[geometry]")
   // A slab of 0.01 between two faces, found without looking at parts of the box.
   const auto slab = combined<3>(ShapeType::intersection,
                                 {a, box_between<3>({{0.99, 0., 0.}}, {{2., 1., 1.}})});
+  // Of a sliver of 4e-13 of the box, which the second shape covers but for a tenth, no more than that is left.
+  const auto sliver = combined<3>(ShapeType::difference,
+                                  {box_between<3>({{-1., 0., 0.}}, {{4e-13, 1., 1.}}),
+                                   box_between<3>({{-1., 0., 0.}}, {{2., 0.9, 1.}})});
+  CHECK(sliver->moments_within({{}, {{1., 1., 1.}}}).volume < 5e-14);
   CHECK(slab->moments_within(over_seam, 0).volume == Approx(1e-4).epsilon(1e-9));
   const auto with_pit = combined<3>(ShapeType::difference,
                                     {a, box_between<3>({{0.2, 0.2, 0.5}}, {{0.8, 0.8, 1.}})});
