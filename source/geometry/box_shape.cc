@@ -81,13 +81,23 @@ namespace magmpm
   VolumeMoments<dim>
   BoxShape<dim>::volume_moments() const
   {
-    const Vector<dim> edge     = box.upper - box.lower;
-    VolumeMoments<dim> moments = {1., 0.5 * (box.lower + box.upper), {}};
+    const RegionMoments<dim> moments = moments_of(box);
+    return {moments.volume, middle_of(box), moments.second};
+  }
+
+  template <int dim>
+  RegionMoments<dim>
+  BoxShape<dim>::moments_within(const BoundingBox<dim> &cell, const int /*depth*/) const
+  {
+    BoundingBox<dim> part;
     for (int d = 0; d < dim; ++d)
-      moments.volume *= edge[d];
-    for (int d = 0; d < dim; ++d)
-      moments.second(d, d) = moments.volume * edge[d] * edge[d] / 12.;
-    return moments;
+      {
+        part.lower[d] = std::max(box.lower[d], cell.lower[d]);
+        part.upper[d] = std::min(box.upper[d], cell.upper[d]);
+        if (!(part.upper[d] > part.lower[d]))
+          return {};
+      }
+    return moved_to(moments_of(part), middle_of(cell) - middle_of(part));
   }
 
   template <int dim>

@@ -1,28 +1,11 @@
 #include <magmpm/base/constants.h>
+#include <magmpm/geometry/axis_frame.h>
 #include <magmpm/geometry/cylinder_shape.h>
 
 #include <cmath>
 
 namespace magmpm
 {
-  namespace
-  {
-    Vector<3>
-    unit(const Vector<3> &a)
-    {
-      return (1. / norm(a)) * a;
-    }
-
-    /** At a right angle to @p direction, which has length 1. */
-    Vector<3>
-    any_across(const Vector<3> &direction)
-    {
-      Vector<3> other;
-      other[std::abs(direction[0]) < 0.6 ? 0 : 1] = 1.;
-      return unit(cross(direction, other));
-    }
-  } // namespace
-
   CylinderShape::CylinderShape(const Vector<3> &centre,
                                const Vector<3> &axis,
                                const double radius,

@@ -1,3 +1,4 @@
+#include <magmpm/geometry/column_moments.h>
 #include <magmpm/geometry/mesh_interior.h>
 
 #include <algorithm>
@@ -31,6 +32,28 @@ namespace magmpm
              side_of_origin(a, b, of_c) == side &&
              (of_a * a[0] + of_b * b[0] + of_c * c[0]) / (of_a + of_b + of_c) > 0.;
     }
+
+    BoundingBox<3>
+    reach_of(const std::array<Vector<3>, 3> &points)
+    {
+      BoundingBox<3> reach = {points[0], points[0]};
+      for (const Vector<3> &point : points)
+        for (int d = 0; d < 3; ++d)
+          {
+            reach.lower[d] = std::min(reach.lower[d], point[d]);
+            reach.upper[d] = std::max(reach.upper[d], point[d]);
+          }
+      return reach;
+    }
+
+    bool
+    meet(const BoundingBox<3> &a, const BoundingBox<3> &b)
+    {
+      for (int d = 0; d < 3; ++d)
+        if (a.upper[d] < b.lower[d] || a.lower[d] > b.upper[d])
+          return false;
+      return true;
+    }
   } // namespace
 
   MeshInterior::MeshInterior(const TriangleMesh &mesh)
@@ -56,25 +79,78 @@ namespace magmpm
     return std::clamp(static_cast<int>(place), 0, n_bins - 1);
   }
 
+  MeshInterior::BinRange
+  MeshInterior::bins_between(const Vector<3> &lower, const Vector<3> &upper) const
+  {
+    BinRange range;
+    for (int axis = 1; axis < 3; ++axis)
+      {
+        range.first[axis - 1] = bin_at(lower[axis], axis);
+        range.last[axis - 1]  = bin_at(upper[axis], axis);
+      }
+    return range;
+  }
+
+  std::array<Vector<3>, 3>
+  MeshInterior::corners(const int triangle) const
+  {
+    const auto &[a, b, c] = mesh.triangles[triangle];
+    return {{mesh.points[a], mesh.points[b], mesh.points[c]}};
+  }
+
+  MeshInterior::BinRange
+  MeshInterior::bins_of(const int triangle) const
+  {
+    const BoundingBox<3> reach = reach_of(corners(triangle));
+    return bins_between(reach.lower, reach.upper);
+  }
+
   template <typename Visitor>
   void
   MeshInterior::for_each_bin(const Visitor &visit) const
   {
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t)
       {
-        int first[2], last[2];
-        for (int axis = 1; axis < 3; ++axis)
-          {
-            const auto [low, high] = std::minmax({mesh.points[mesh.triangles[t][0]][axis],
-                                                  mesh.points[mesh.triangles[t][1]][axis],
-                                                  mesh.points[mesh.triangles[t][2]][axis]});
-            first[axis - 1]        = bin_at(low, axis);
-            last[axis - 1]         = bin_at(high, axis);
-          }
-        for (int j = first[1]; j <= last[1]; ++j)
-          for (int i = first[0]; i <= last[0]; ++i)
-            visit(static_cast<int>(t), n_bins * j + i);
+        const BinRange bins = bins_of(t);
+        for (int j = bins.first[1]; j <= bins.last[1]; ++j)
+          for (int i = bins.first[0]; i <= bins.last[0]; ++i)
+            visit(t, n_bins * j + i);
       }
+  }
+
+  template <typename Visitor>
+  void
+  MeshInterior::for_each_triangle_across(const BoundingBox<3> &box, const Visitor &visit) const
+  {
+    const BinRange column = bins_between(box.lower, box.upper);
+    for (int j = column.first[1]; j <= column.last[1]; ++j)
+      for (int i = column.first[0]; i <= column.last[0]; ++i)
+        for (std::size_t k = bin_begin[n_bins * j + i]; k < bin_begin[n_bins * j + i + 1]; ++k)
+          {
+            // A triangle in several bins of the column is met in the first of them.
+            const BinRange bins = bins_of(bin_triangles[k]);
+            if (i == std::max(bins.first[0], column.first[0]) &&
+                j == std::max(bins.first[1], column.first[1]))
+              visit(bin_triangles[k]);
+          }
+  }
+
+  RegionMoments<3>
+  MeshInterior::moments_within(const BoundingBox<3> &cell) const
+  {
+    bool is_cut = false, may_be_filled = true;
+    for (int d = 0; d < 3; ++d)
+      may_be_filled = may_be_filled && cell.upper[d] > box.lower[d] && cell.lower[d] < box.upper[d];
+    if (!may_be_filled)
+      return {};
+    for_each_triangle_across(cell, [&](const int triangle) {
+      is_cut = is_cut || meet(reach_of(corners(triangle)), cell);
+    });
+    if (!is_cut)
+      return contains(middle_of(cell)) ? moments_of(cell) : RegionMoments<3>();
+    ColumnMoments<3> column(cell);
+    for_each_triangle_across(cell, [&](const int triangle) { column.add(corners(triangle)); });
+    return column.moments();
   }
 
   bool

@@ -55,6 +55,12 @@ namespace magmpm
     return magmpm::volume_moments(triangles);
   }
 
+  RegionMoments<3>
+  MeshShape::moments_within(const BoundingBox<3> &cell, const int /*depth*/) const
+  {
+    return interior.moments_within(cell);
+  }
+
   std::vector<Vector<3>>
   MeshShape::surface_points(const double spacing) const
   {

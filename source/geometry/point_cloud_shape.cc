@@ -74,6 +74,13 @@ namespace magmpm
   }
 
   template <int dim>
+  RegionMoments<dim>
+  PointCloudShape<dim>::moments_within(const BoundingBox<dim> &, const int) const
+  {
+    return {};
+  }
+
+  template <int dim>
   std::vector<Vector<dim>>
   PointCloudShape<dim>::surface_points(const double) const
   {

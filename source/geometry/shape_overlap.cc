@@ -1,4 +1,5 @@
 #include <magmpm/geometry/shape_overlap.h>
+#include <magmpm/geometry/surface_side.h>
 
 #include <algorithm>
 
@@ -27,13 +28,16 @@ namespace magmpm
     bool
     reaches_into(const Shape<dim> &a, const Shape<dim> &b, const double spacing)
     {
-      // Drawn in a little, so that surfaces which only touch do not count.
+      // A point on both surfaces does not count, so that shapes which only touch do not overlap.
+      const BoundingBox<dim> box = b.bounding_box();
+      const double margin        = tolerance * norm(box.upper - box.lower);
+      const auto lies_in_b       = [&](const Vector<dim> &point) {
+        return b.contains(point) && side_of(b, point, margin) == SurfaceSide::inside;
+      };
       const Vector<dim> centroid            = a.volume_moments().centroid;
       const std::vector<Vector<dim>> points = a.surface_points(spacing);
-      return b.contains(centroid) ||
-             std::any_of(points.begin(), points.end(), [&](const Vector<dim> &point) {
-               return b.contains(point + tolerance * (centroid - point));
-             });
+      return (a.contains(centroid) && b.contains(centroid)) ||
+             std::any_of(points.begin(), points.end(), lies_in_b);
     }
   } // namespace
 

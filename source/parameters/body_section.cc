@@ -79,6 +79,7 @@ namespace magmpm
   std::vector<std::unique_ptr<Shape<dim>>>
   check_bodies(const ParameterRegister &declarations,
                const std::vector<std::string> &material_names,
+               const NamedShapes<dim> &named_shapes,
                const Lattice<dim> &lattice,
                std::vector<BodyParameters<dim>> &bodies)
   {
@@ -97,7 +98,12 @@ namespace magmpm
                                    "materials is '" +
                                      comma_separated(material_names) + "'" +
                                      did_you_mean(body.material, material_names));
-        shapes.push_back(check_shape(declarations, section, body.shape));
+        if (body.arrangement == Arrangement::face_centred && body.particles_per_edge == 1)
+          throw declarations.error(
+            section + "/Arrangement",
+            "with Particles per edge = 1 every other cell would be empty; it "
+            "takes 2 or more.");
+        shapes.push_back(check_shape(declarations, section, named_shapes, body.shape));
         if (body.shape.type == ShapeType::points)
           check_points(declarations,
                        section,
@@ -122,6 +128,7 @@ namespace magmpm
   template std::vector<std::unique_ptr<Shape<dim>>> check_bodies(         \
     const ParameterRegister &,                                            \
     const std::vector<std::string> &,                                     \
+    const NamedShapes<dim> &,                                             \
     const Lattice<dim> &,                                                 \
     std::vector<BodyParameters<dim>> &);
 

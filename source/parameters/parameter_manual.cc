@@ -13,13 +13,14 @@ This file is the output of `magmpm --print-parameters`.
 
 A parameter file consists of lines `set NAME = VALUE`, which may stand in `subsection NAME` ... `end`;
 `#` starts a comment. Below, a heading `Bodies/<body>` is a subsection of the subsection `Bodies`
-that has the name of a body: every name in `List of bodies`, `List of materials`, `List of magnets`
-and `List of rigid bodies` has such a subsection; one that is not listed is left out. On the command line the same is `--set "Bodies/cube/Density=1000"`.
+that has the name of a body: every name in `List of shapes`, `List of bodies`, `List of materials`,
+`List of magnets` and `List of rigid bodies` has such a subsection; one that is not listed is left out. On the command line the same is `--set "Bodies/cube/Density=1000"`.
 
 All values are in SI units. Vectors are numbers separated by commas, and what changes in time is given
 as expressions of t separated by semicolons, such as `0.5; 0.5; 0.2 + 0.1*t`. The lists below are
 those of `Dimension = 3`. With `Dimension = 2` (plane strain; all quantities per metre of depth)
-vectors have two components and spins one, and there are no cylinders and no faces along z.
+vectors have two components and spins one, and there are no cylinders, tubes and meshes, and no
+faces along z.
 )";
 
     /** Text in a cell of a Markdown table. */
@@ -55,6 +56,7 @@ vectors have two components and spins one, and there are no cylinders and no fac
   parameter_manual()
   {
     ParameterInput<3> input;
+    input.shapes.names     = {"<shape>"};
     input.body_names       = {"<body>"};
     input.material_names   = {"<material>"};
     input.magnet_names     = {"<magnet>"};

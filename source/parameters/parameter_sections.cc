@@ -61,6 +61,71 @@ namespace magmpm
       names.swap(known);
     }
 
+    /** The sections with a list of names, and a subsection for each of them. */
+    template <int dim>
+    void
+    declare_lists(ParameterRegister &declarations,
+                  ParameterInput<dim> &input,
+                  Parameters<dim> &parameters)
+    {
+      {
+        const auto section = declarations.enter("Shapes");
+        declare_list(
+          declarations,
+          "List of shapes",
+          input.shapes.names,
+          "Names of shapes of which bodies and rigid bodies are made by union, difference "
+          "and intersection; each has a subsection of its name here.");
+        declare_shapes(declarations, input.shapes);
+      }
+      {
+        const auto section = declarations.enter("Bodies");
+        declare_list(declarations,
+                     "List of bodies",
+                     input.body_names,
+                     "Names of the bodies; each has a subsection of its name here.");
+        for (std::size_t i = 0; i < parameters.bodies.size(); ++i)
+          {
+            parameters.bodies[i].name = input.body_names[i];
+            declare_body(declarations, parameters.bodies[i]);
+          }
+      }
+      {
+        const auto section = declarations.enter("Materials");
+        declare_list(declarations,
+                     "List of materials",
+                     input.material_names,
+                     "Names of the materials; each has a subsection of its name here.");
+        for (std::size_t i = 0; i < input.materials.size(); ++i)
+          declare_material(declarations, input.material_names[i], input.materials[i]);
+      }
+      {
+        const auto section = declarations.enter("Magnets");
+        declare_list(
+          declarations,
+          "List of magnets",
+          input.magnet_names,
+          "Names of the sources of the external field; each has a subsection of its name "
+          "here. Their fields add up.");
+        for (std::size_t i = 0; i < input.magnets.size(); ++i)
+          declare_magnet(declarations, input.magnet_names[i], input.magnets[i]);
+      }
+      {
+        const auto section = declarations.enter("Rigid bodies");
+        declare_list(declarations,
+                     "List of rigid bodies",
+                     input.rigid_body_names,
+                     "Names of the rigid bodies that are not magnets; each has a subsection of its "
+                     "name here. Solid and free magnets are rigid bodies, too.");
+        for (std::size_t i = 0; i < parameters.rigid_bodies.size(); ++i)
+          {
+            parameters.rigid_bodies[i].name = input.rigid_body_names[i];
+            declare_rigid_body(
+              declarations, parameters.rigid_bodies[i], input.rigid_body_motions[i]);
+          }
+      }
+    }
+
     /** What the cells of the potential do not resolve, whatever the shape (doc/accuracy.md). */
     template <int dim>
     void
@@ -116,56 +181,14 @@ namespace magmpm
                      Parameters<dim> &parameters)
   {
     parameters.bodies.resize(input.body_names.size());
+    input.shapes.shapes.resize(input.shapes.names.size());
     input.magnets.resize(input.magnet_names.size());
     parameters.rigid_bodies.resize(input.rigid_body_names.size());
     input.materials.resize(input.material_names.size());
     input.rigid_body_motions.resize(input.rigid_body_names.size());
 
     declare_scene(declarations, input, parameters);
-    {
-      const auto section = declarations.enter("Bodies");
-      declare_list(declarations,
-                   "List of bodies",
-                   input.body_names,
-                   "Names of the bodies; each has a subsection of its name here.");
-      for (std::size_t i = 0; i < parameters.bodies.size(); ++i)
-        {
-          parameters.bodies[i].name = input.body_names[i];
-          declare_body(declarations, parameters.bodies[i]);
-        }
-    }
-    {
-      const auto section = declarations.enter("Materials");
-      declare_list(declarations,
-                   "List of materials",
-                   input.material_names,
-                   "Names of the materials; each has a subsection of its name here.");
-      for (std::size_t i = 0; i < input.materials.size(); ++i)
-        declare_material(declarations, input.material_names[i], input.materials[i]);
-    }
-    {
-      const auto section = declarations.enter("Magnets");
-      declare_list(declarations,
-                   "List of magnets",
-                   input.magnet_names,
-                   "Names of the sources of the external field; each has a subsection of its name "
-                   "here. Their fields add up.");
-      for (std::size_t i = 0; i < input.magnets.size(); ++i)
-        declare_magnet(declarations, input.magnet_names[i], input.magnets[i]);
-    }
-    {
-      const auto section = declarations.enter("Rigid bodies");
-      declare_list(declarations,
-                   "List of rigid bodies",
-                   input.rigid_body_names,
-                   "Names of the rigid bodies that are not magnets; each has a subsection of its "
-                   "name here. Solid and free magnets are rigid bodies, too.");
-      for (std::size_t i = 0; i < parameters.rigid_bodies.size(); ++i)
-        {
-          parameters.rigid_bodies[i].name = input.rigid_body_names[i];
-          declare_rigid_body(declarations, parameters.rigid_bodies[i], input.rigid_body_motions[i]);
-        }
-    }
+    declare_lists(declarations, input, parameters);
     declare_walls(declarations, parameters.walls);
     declare_magnetics(declarations,
                       input.temperature,
@@ -183,7 +206,7 @@ namespace magmpm
   template <int dim>
   void
   validate(const ParameterRegister &declarations,
-           const ParameterInput<dim> &input,
+           ParameterInput<dim> &input,
            Parameters<dim> &parameters)
   {
     parameters.lattice = lattice_of_box(declarations, input.box);
@@ -194,10 +217,12 @@ namespace magmpm
         input.material_names[i],
         input.materials[i],
         {parameters.magnetics.law, parameters.magnetics.curve.get(), input.temperature}));
-    const auto body_shapes =
-      check_bodies(declarations, input.material_names, parameters.lattice, parameters.bodies);
+    check_shapes(declarations, input.shapes);
+    const auto body_shapes = check_bodies(
+      declarations, input.material_names, input.shapes, parameters.lattice, parameters.bodies);
     check_magnets(declarations, input.magnet_names, input.magnets, body_shapes, parameters);
-    check_rigid_bodies(declarations, input.rigid_body_motions, body_shapes, parameters);
+    check_rigid_bodies(
+      declarations, input.rigid_body_motions, input.shapes, body_shapes, parameters);
     check_time_step(declarations, parameters.time_step, parameters.output.frame_interval);
     convert_checkpoint(declarations, parameters.checkpoint);
 
@@ -221,7 +246,7 @@ namespace magmpm
 
 #define INSTANTIATE(dim)                                                                           \
   template void declare_parameters(ParameterRegister &, ParameterInput<dim> &, Parameters<dim> &); \
-  template void validate(const ParameterRegister &, const ParameterInput<dim> &, Parameters<dim> &);
+  template void validate(const ParameterRegister &, ParameterInput<dim> &, Parameters<dim> &);
 
   INSTANTIATE(2)
   INSTANTIATE(3)

@@ -11,7 +11,7 @@ namespace magmpm
   namespace
   {
     /**
-     * The names in a list of bodies, materials or magnets, which must be known before anything about
+     * The names in a list of shapes, bodies, materials or magnets, which must be known before anything about
      * them can be declared.
      */
     std::vector<std::string>
@@ -72,6 +72,7 @@ namespace magmpm
   read_parameters(const ParameterFile &file)
   {
     ParameterInput<dim> input;
+    input.shapes.names     = names_in_list(file, "Shapes/List of shapes");
     input.body_names       = names_in_list(file, "Bodies/List of bodies");
     input.material_names   = names_in_list(file, "Materials/List of materials");
     input.magnet_names     = names_in_list(file, "Magnets/List of magnets");

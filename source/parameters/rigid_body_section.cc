@@ -121,6 +121,7 @@ namespace magmpm
   void
   check_rigid_bodies(const ParameterRegister &declarations,
                      const std::vector<MotionInput> &motions,
+                     const NamedShapes<dim> &named_shapes,
                      const std::vector<std::unique_ptr<Shape<dim>>> &body_shapes,
                      Parameters<dim> &parameters)
   {
@@ -137,7 +138,7 @@ namespace magmpm
               "a magnet is called '" + body.name +
                 "', too, and both are headings of statistics.csv. Give one of "
                 "them another name.");
-        shapes.push_back(check_shape(declarations, section, body.shape));
+        shapes.push_back(check_shape(declarations, section, named_shapes, body.shape));
         warn_if_thin(declarations, section, shapes.back()->bounding_box(), parameters);
         if (body.properties.is_free)
           {
@@ -175,6 +176,7 @@ namespace magmpm
     ParameterRegister &, RigidBodyParameters<dim> &, MotionInput &);                 \
   template void check_rigid_bodies(const ParameterRegister &,                        \
                                    const std::vector<MotionInput> &,                 \
+                                   const NamedShapes<dim> &,                         \
                                    const std::vector<std::unique_ptr<Shape<dim>>> &, \
                                    Parameters<dim> &);
 

@@ -17,11 +17,17 @@ namespace magmpm
       declarations.add(
         "Upper corner", shape.upper_corner, "m", "Of a box: its upper corner.", Presence::optional);
       declarations.add(
-        "Centre", shape.centre, "m", "Of a sphere or cylinder: its centre.", Presence::optional);
+        "Centre", shape.centre, "m", "Of what is round: its centre.", Presence::optional);
       declarations.add("Radius",
                        shape.radius,
                        "m",
-                       "Of a sphere or cylinder: its radius.",
+                       "Of what is round: its radius, the outer one of a tube or ring.",
+                       positive,
+                       Presence::optional);
+      declarations.add("Inner radius",
+                       shape.inner_radius,
+                       "m",
+                       "Of a tube or ring: the radius of the hole.",
                        positive,
                        Presence::optional);
       if constexpr (dim == 3)
@@ -29,18 +35,24 @@ namespace magmpm
           declarations.add("Axis",
                            shape.axis,
                            "-",
-                           "Of a cylinder: direction of its axis, of any length.",
+                           "Of a cylinder, tube or ring: direction of its axis, of any length.",
                            Presence::optional);
           declarations.add("Length",
                            shape.length,
                            "m",
-                           "Of a cylinder: its length along the axis.",
+                           "Of a cylinder or tube: its length along the axis.",
                            positive,
                            Presence::optional);
         }
       else
         for (const char *name : {"Axis", "Length"})
           declarations.refuse(name, "a cylinder needs Dimension = 3.");
+      declarations.add("Of",
+                       shape.part_names,
+                       {},
+                       "Of a union, difference or intersection: names of two or more shapes of the "
+                       "section Shapes. A difference is the first without all others; let these "
+                       "reach beyond it where they cut it open.");
     }
 
     template <int dim>
@@ -88,10 +100,16 @@ namespace magmpm
                 const bool may_be_points)
   {
     std::vector<std::pair<std::string, ShapeType>> shapes = {{"box", ShapeType::box},
-                                                             {"sphere", ShapeType::sphere}};
+                                                             {"sphere", ShapeType::sphere},
+                                                             {"ring", ShapeType::ring},
+                                                             {"union", ShapeType::union_of},
+                                                             {"difference", ShapeType::difference},
+                                                             {"intersection",
+                                                              ShapeType::intersection}};
     if (dim == 3)
       {
         shapes.emplace_back("cylinder", ShapeType::cylinder);
+        shapes.emplace_back("tube", ShapeType::tube);
         shapes.emplace_back("mesh", ShapeType::mesh);
       }
     if (may_be_points)
@@ -99,8 +117,8 @@ namespace magmpm
     declarations.add("Shape",
                      shape.type,
                      shapes,
-                     "Its shape; a sphere is a disc in 2D, a cylinder and a mesh need Dimension = "
-                     "3.");
+                     "Its shape; a sphere is a disc in 2D, a ring is a torus, in 2D a disc with a "
+                     "hole; a cylinder, a tube and a mesh need Dimension = 3.");
     declare_primitives(declarations, shape);
     const std::string csv = std::string("lines of x, y") + (dim == 3 ? ", z" : "") +
                             " and perhaps a volume, otherwise that of a regular particle, as CSV";
@@ -132,6 +150,11 @@ namespace magmpm
       {ShapeType::box, "Shape = box", {"Lower corner", "Upper corner"}, {}},
       {ShapeType::sphere, "Shape = sphere", {"Centre", "Radius"}, {}},
       {ShapeType::cylinder, "Shape = cylinder", {"Centre", "Radius", "Axis", "Length"}, {}},
+      {ShapeType::tube, "Shape = tube", {"Centre", "Radius", "Inner radius", "Axis", "Length"}, {}},
+      {ShapeType::ring, "Shape = ring", {"Centre", "Radius", "Inner radius", "Axis"}, {}},
+      {ShapeType::union_of, "Shape = union", {"Of"}, {}},
+      {ShapeType::difference, "Shape = difference", {"Of"}, {}},
+      {ShapeType::intersection, "Shape = intersection", {"Of"}, {}},
       {ShapeType::mesh, "Shape = mesh", {"File"}, placing},
       {ShapeType::points, "Shape = points", {"File"}, placing}};
 
@@ -148,14 +171,50 @@ namespace magmpm
       const auto own = std::find_if(kinds.begin(), kinds.end(), [&](const KindOfShape &kind) {
         return kind.type == type;
       });
-      std::vector<std::string> unused;
+      std::vector<std::string> needed, unused;
+      for (const std::string &name : own->needed)
+        if (declarations.is_declared(section + "/" + name)) // a ring has no axis in 2D
+          needed.push_back(name);
       for (const KindOfShape &other : kinds)
         for (const auto &names : {other.needed, other.allowed})
           for (const std::string &name : names)
             if (declarations.is_declared(section + "/" + name) && !is_in(name, own->needed) &&
                 !is_in(name, own->allowed))
               unused.push_back(name);
-      check_given(declarations, section, own->needed, unused, own->reason);
+      check_given(declarations, section, needed, unused, own->reason);
+    }
+
+    template <int dim>
+    void
+    check_lengths(const ParameterRegister &declarations,
+                  const std::string &section,
+                  const ShapeParameters<dim> &parameters)
+    {
+      if (parameters.type == ShapeType::box)
+        for (int d = 0; d < dim; ++d)
+          if (!(parameters.upper_corner[d] > parameters.lower_corner[d]))
+            throw declarations.error(section + "/Upper corner",
+                                     std::string("along ") + axis_names[d] + " it must lie above " +
+                                       section + "/Lower corner (" +
+                                       to_text(parameters.lower_corner[d]) + " m).");
+      const bool has_hole = parameters.type == ShapeType::tube ||
+                            parameters.type == ShapeType::ring;
+      if (has_hole && !(parameters.inner_radius < parameters.radius))
+        throw declarations.error(section + "/Inner radius",
+                                 "it must be smaller than " + section + "/Radius (" +
+                                   to_text(parameters.radius) + " m).");
+      const bool has_axis = parameters.type == ShapeType::cylinder ||
+                            parameters.type == ShapeType::tube ||
+                            (parameters.type == ShapeType::ring && dim == 3);
+      if (has_axis && !(norm(parameters.axis) > 0.))
+        throw declarations.error(section + "/Axis", "it must have a length greater than 0.");
+    }
+
+    bool
+    is_made_of_others(const ShapeType type)
+    {
+      return type == ShapeType::union_of || type == ShapeType::difference ||
+             type == ShapeType::intersection;
     }
   } // namespace
 
@@ -163,30 +222,28 @@ namespace magmpm
   std::unique_ptr<Shape<dim>>
   check_shape(const ParameterRegister &declarations,
               const std::string &section,
+              const NamedShapes<dim> &named,
               ShapeParameters<dim> &parameters)
   {
     check_given_for<dim>(declarations, section, parameters.type);
-    if (parameters.type == ShapeType::box)
-      for (int d = 0; d < dim; ++d)
-        if (!(parameters.upper_corner[d] > parameters.lower_corner[d]))
-          throw declarations.error(section + "/Upper corner",
-                                   std::string("along ") + axis_names[d] + " it must lie above " +
-                                     section + "/Lower corner (" +
-                                     to_text(parameters.lower_corner[d]) + " m).");
-    if (parameters.type == ShapeType::cylinder && !(norm(parameters.axis) > 0.))
-      throw declarations.error(section + "/Axis", "it must have a length greater than 0.");
-    if (parameters.type != ShapeType::mesh && parameters.type != ShapeType::points)
+    check_lengths(declarations, section, parameters);
+    std::string culprit = section + "/File";
+    if (is_made_of_others(parameters.type))
+      {
+        culprit = section + "/Of";
+        take_parts(declarations, section, named, parameters);
+      }
+    else if (parameters.type == ShapeType::mesh || parameters.type == ShapeType::points)
+      parameters.file = find_input_file(declarations, culprit, parameters.file);
+    else
       return make_shape(parameters);
-
-    const std::string file = section + "/File";
-    parameters.file        = find_input_file(declarations, file, parameters.file);
     try
       {
         return make_shape(parameters);
       }
     catch (const InputError &error)
       {
-        throw InputError(declarations.where(file) + ": " + error.what());
+        throw InputError(declarations.where(culprit) + ": " + error.what());
       }
   }
 
@@ -209,7 +266,8 @@ namespace magmpm
                                       ? (below ? "/Lower corner" : "/Upper corner")
                                     : type == ShapeType::mesh || type == ShapeType::points
                                       ? "/Translation"
-                                      : "/Centre";
+                                    : is_made_of_others(type) ? "/Of"
+                                                              : "/Centre";
         throw declarations.error(section + culprit,
                                  "the body reaches to " + std::string(1, axis_names[d]) + " = " +
                                    to_text(below ? reach.lower[d] : reach.upper[d]) +
@@ -224,9 +282,15 @@ namespace magmpm
   template void
   declare_shape(ParameterRegister &, ShapeParameters<3> &, bool);
   template std::unique_ptr<Shape<2>>
-  check_shape(const ParameterRegister &, const std::string &, ShapeParameters<2> &);
+  check_shape(const ParameterRegister &,
+              const std::string &,
+              const NamedShapes<2> &,
+              ShapeParameters<2> &);
   template std::unique_ptr<Shape<3>>
-  check_shape(const ParameterRegister &, const std::string &, ShapeParameters<3> &);
+  check_shape(const ParameterRegister &,
+              const std::string &,
+              const NamedShapes<3> &,
+              ShapeParameters<3> &);
   template void
   check_inside_box(const ParameterRegister &,
                    const std::string &,

@@ -1,11 +1,16 @@
 #include <magmpm/base/exceptions.h>
 #include <magmpm/base/number_text.h>
+#include <magmpm/base/symmetric_root.h>
 #include <magmpm/geometry/point_cloud_shape.h>
+#include <magmpm/particles/cell_parts.h>
+#include <magmpm/particles/cell_places.h>
 #include <magmpm/particles/seeding.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <type_traits>
+#include <variant>
 
 namespace magmpm
 {
@@ -21,27 +26,6 @@ namespace magmpm
       key ^= key >> 31;
       return static_cast<double>(key >> 11) / 9007199254740992. - 0.5;
     }
-
-    /** The grid of places where particles of a body can be. */
-    template <int dim>
-    struct Places
-    {
-      double spacing;
-      Index<dim> first; ///< place in the lower corner of the bounding box
-      Index<dim> count;
-
-      Places(const BoundingBox<dim> &box, const int particles_per_edge, const Lattice<dim> &lattice)
-        : spacing(lattice.spacing / particles_per_edge)
-      {
-        const Vector<dim> lower = (1. / spacing) * (box.lower - lattice.lower_corner);
-        const Vector<dim> upper = (1. / spacing) * (box.upper - lattice.lower_corner);
-        for (int d = 0; d < dim; ++d)
-          {
-            first[d] = static_cast<int>(std::floor(lower[d] + 1e-6));
-            count[d] = std::max(0, static_cast<int>(std::ceil(upper[d] - 1e-6)) - first[d]);
-          }
-      }
-    };
 
     /** The start of a particle in the motion of its body: v = v_0 + omega x r, C = grad v. */
     template <int dim>
@@ -137,6 +121,108 @@ namespace magmpm
                      cloud.volumes.empty() ? volume_without : cloud.volumes[i],
                      particles);
     }
+    /**
+     * A position out of walls and obstacles: one that is behind a wall or a little inside an obstacle goes to
+     * the nearest point of its surface. What is deeper in an obstacle than half a cell overlaps with it.
+     */
+    template <int dim>
+    Vector<dim>
+    kept_clear(Vector<dim> position,
+               const Lattice<dim> &lattice,
+               const std::vector<Obstacle<dim>> &obstacles)
+    {
+      constexpr int n_rounds    = 4; // where obstacles meet each other or a wall
+      const double margin       = 1e-6 * lattice.spacing;
+      const Vector<dim> highest = lattice.upper_corner();
+      for (int round = 0; round < n_rounds; ++round)
+        {
+          for (const Obstacle<dim> &obstacle : obstacles)
+            {
+              const SurfaceDistance<dim> found = obstacle(position);
+              if (margin > found.distance && found.distance > -0.5 * lattice.spacing)
+                position += (margin - found.distance) * found.normal;
+            }
+          for (int d = 0; d < dim; ++d)
+            position[d] =
+              std::clamp(position[d], lattice.lower_corner[d] + margin, highest[d] - margin);
+          if (obstacles.empty())
+            break;
+        }
+      return position;
+    }
+
+    /** Sets the particles of one part of a body after another. */
+    template <int dim>
+    class PartSeeder
+    {
+    public:
+      PartSeeder(const BodyParameters<dim> &parameters,
+                 const Lattice<dim> &lattice,
+                 const PlaceRule rule,
+                 const Vector<dim> &centre)
+        : parameters(parameters)
+        , lattice(lattice)
+        , centre(centre)
+      {
+        for (const int parity : {0, 1})
+          places[parity] =
+            cell_places<dim>(rule, parameters.particles_per_edge, parameters.arrangement, parity);
+      }
+
+      /** @param first_id  that of the first place in the cell. */
+      void
+      seed(const CellPart<dim> &part,
+           const std::uint64_t first_id,
+           const std::vector<Obstacle<dim>> &obstacles,
+           ParticleSet<dim> &particles) const
+      {
+        Vector<dim> middle = lattice.node_position(part.cell);
+        for (int d = 0; d < dim; ++d)
+          middle[d] += 0.5 * lattice.spacing;
+        const VolumeMoments<dim> moments = about_centroid(part.moments, middle);
+        const Matrix<dim> map            = 2. * std::sqrt(3.) *
+                                symmetric_root((1. / moments.volume) * moments.second);
+        const double jitter = parameters.jitter / parameters.particles_per_edge;
+        for (const CellPlace<dim> &place : places[parity_of(part.cell)])
+          {
+            const std::uint64_t id = first_id + place.number;
+            Vector<dim> local      = place.position;
+            for (int d = 0; d < dim; ++d)
+              local[d] += jitter * random_offset(dim * id + d);
+            add_particle(parameters,
+                         centre,
+                         id,
+                         kept_clear(moments.centroid + map * local, lattice, obstacles),
+                         place.weight * moments.volume,
+                         particles);
+          }
+      }
+
+    private:
+      const BodyParameters<dim> &parameters;
+      const Lattice<dim> &lattice;
+      const Vector<dim> centre;                          ///< of the body's motion [m]
+      std::array<std::vector<CellPlace<dim>>, 2> places; ///< by parity
+
+      int
+      parity_of(const Index<dim> &cell) const
+      {
+        int sum = 0;
+        for (int d = 0; d < dim; ++d)
+          sum += cell[d] * parameters.particles_per_edge;
+        return sum & 1;
+      }
+    };
+
+    template <int dim>
+    PlaceRule
+    rule_of(const Body<dim> &body)
+    {
+      const bool is_solid = std::visit(
+        [](const auto &law) { return std::decay_t<decltype(law)>::stores_deformation_gradient; },
+        body.material);
+      return is_solid ? PlaceRule::gauss : PlaceRule::centres;
+    }
   } // namespace
 
   template <int dim>
@@ -146,61 +232,42 @@ namespace magmpm
                  const unsigned int body_number,
                  const unsigned int rank,
                  const unsigned int n_ranks,
-                 Body<dim> &body)
+                 Body<dim> &body,
+                 const std::vector<Obstacle<dim>> &obstacles)
   {
     const double volume = parameters.particle_volume(lattice);
     if (parameters.shape.type == ShapeType::points)
       return seed_points(parameters, volume, body_number, rank, n_ranks, body.particles);
 
     const std::unique_ptr<Shape<dim>> shape = make_shape(parameters.shape);
-    const Places<dim> places(shape->bounding_box(), parameters.particles_per_edge, lattice);
-    const Vector<dim> centre = shape->volume_moments().centroid;
-
-    const std::uint64_t row_length = static_cast<std::uint64_t>(places.count[0]);
-    std::uint64_t n_rows           = 1;
-    for (int d = 1; d < dim; ++d)
-      n_rows *= places.count[d];
+    const CellRange<dim> range(shape->bounding_box(), lattice);
+    const std::uint64_t places_per_cell = power(parameters.particles_per_edge, dim);
     const std::uint64_t first_id =
-      first_id_of(parameters, body_number, static_cast<double>(n_rows) * row_length);
-    for (std::uint64_t row = n_rows * rank / n_ranks; row < n_rows * (rank + 1) / n_ranks; ++row)
-      for (std::uint64_t i = 0; i < row_length; ++i)
-        {
-          const std::uint64_t id = first_id + row * row_length + i;
-          Vector<dim> position;
-          std::uint64_t rest = row;
-          int sum_of_places  = 0;
-          for (int d = 0; d < dim; ++d)
-            {
-              const int place = places.first[d] +
-                                static_cast<int>(d == 0 ? i : rest % places.count[d]);
-              if (d > 0)
-                rest /= places.count[d];
-              sum_of_places += place;
-              position[d] = lattice.lower_corner[d] + places.spacing * (place + 0.5);
-            }
-          if (parameters.arrangement == Arrangement::face_centred && sum_of_places % 2 != 0)
-            continue;
-          // Inside or not is asked of the regular place, so that jitter does not change how many.
-          if (!shape->contains(position))
-            continue;
-          for (int d = 0; d < dim; ++d)
-            position[d] += parameters.jitter * places.spacing * random_offset(dim * id + d);
-          add_particle(parameters, centre, id, position, volume, body.particles);
-        }
+      first_id_of(parameters, body_number, range.size() * places_per_cell);
+    const PartSeeder<dim> seeder(
+      parameters, lattice, rule_of(body), shape->volume_moments().centroid);
+
+    const int along  = static_cast<int>(std::max_element(range.count.begin(), range.count.end()) -
+                                       range.count.begin());
+    const auto layer = [&](const std::uint64_t rank_there) {
+      return static_cast<int>(range.count[along] * rank_there / n_ranks);
+    };
+    for (const CellPart<dim> &part :
+         cell_parts<dim>(*shape, lattice, range, along, {layer(rank), layer(rank + 1)}))
+      seeder.seed(
+        part, first_id + places_per_cell * range.number(part.cell), obstacles, body.particles);
   }
 
-  template void
-  seed_particles(const BodyParameters<2> &,
-                 const Lattice<2> &,
-                 unsigned int,
-                 unsigned int,
-                 unsigned int,
-                 Body<2> &);
-  template void
-  seed_particles(const BodyParameters<3> &,
-                 const Lattice<3> &,
-                 unsigned int,
-                 unsigned int,
-                 unsigned int,
-                 Body<3> &);
+#define INSTANTIATE(dim)                                    \
+  template void seed_particles(const BodyParameters<dim> &, \
+                               const Lattice<dim> &,        \
+                               unsigned int,                \
+                               unsigned int,                \
+                               unsigned int,                \
+                               Body<dim> &,                 \
+                               const std::vector<Obstacle<dim>> &);
+
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace magmpm

@@ -5,6 +5,7 @@
 #include <magmpm/parallel/reduce.h>
 #include <magmpm/particles/seeding.h>
 #include <magmpm/simulation/scene.h>
+#include <magmpm/simulation/seeding_report.h>
 
 namespace magmpm
 {
@@ -12,6 +13,12 @@ namespace magmpm
   void
   Scene<dim>::seed_bodies()
   {
+    // Particles keep out of rigid bodies and solid magnets, which may touch what they fill.
+    std::vector<Obstacle<dim>> obstacles;
+    for (const RigidBody<dim> &rigid : holder.bodies().all())
+      obstacles.push_back(
+        [&rigid](const Vector<dim> &point) { return rigid.surface_distance(point); });
+
     for (unsigned int b = 0; b < all_bodies.size(); ++b)
       {
         const BodyParameters<dim> &body = parameters.bodies[b];
@@ -20,12 +27,14 @@ namespace magmpm
                        b,
                        parallel::rank(communicator),
                        parallel::n_ranks(communicator),
-                       all_bodies[b]);
+                       all_bodies[b],
+                       obstacles);
         if (parallel::sum(all_bodies[b].particles.size(), communicator) == 0)
           throw InputError("body '" + body.name +
                            "' holds no particle: it is smaller than the distance between "
                            "particles. Make it larger, or 'Box/Cell size' smaller.");
       }
+    state.notices.push_back({false, seeding_report(parameters.bodies, all_bodies, communicator)});
   }
 
   template <int dim>

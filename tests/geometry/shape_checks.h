@@ -60,7 +60,7 @@ namespace magmpm::testing
    * Surface points lie on the surface, and every point of it is within 3/4 of @p spacing of one of
    * them: half the diagonal of a square of such an edge, and what a curve adds.
    *
-   * @param precision  of the distances of the shape.
+   * @param precision  of the distances of the shape near its surface.
    */
   template <int dim>
   void
@@ -79,7 +79,10 @@ namespace magmpm::testing
         const Vector<dim> x              = random_point(engine, shape.bounding_box());
         const SurfaceDistance<dim> there = shape.surface_distance(x);
         const Vector<dim> on_surface     = x - there.distance * there.normal;
-        double nearest                   = std::numeric_limits<double>::infinity();
+        // Of shapes made of others some distances are too short, and lead to no point of the surface.
+        if (std::abs(shape.surface_distance(on_surface).distance) > precision)
+          continue;
+        double nearest = std::numeric_limits<double>::infinity();
         for (const Vector<dim> &point : points)
           nearest = std::min(nearest, norm(point - on_surface));
         farthest = std::max(farthest, nearest);

@@ -76,6 +76,47 @@ TEST_CASE("surface meshes of the primitives enclose their volume", "[geometry]")
   CHECK(volume_ratio(cylinder) == Approx(0.999).margin(0.001));
 }
 
+TEST_CASE("surface meshes of rings, tubes and combinations enclose their volume", "[geometry]")
+{
+  // As those of the primitives: facets of round shapes lie inside them, those of a hole inside the hole,
+  // so that a tube is enclosed to 0.5 %. Where two surfaces meet, facets are cut at distances that are
+  // interpolated along their edges.
+  ShapeParameters<3> tube;
+  tube.type         = ShapeType::tube;
+  tube.centre       = {{1., 2., 3.}};
+  tube.radius       = 0.1;
+  tube.inner_radius = 0.06;
+  tube.axis         = {{1., 1., 0.3}};
+  tube.length       = 0.1;
+  const auto ratio  = [](const auto &parameters) {
+    const auto shape = make_shape(parameters);
+    return enclosed(shape->surface_mesh(0.005)) / shape->volume_moments().volume;
+  };
+  CHECK(ratio(tube) == Approx(1.).margin(0.005));
+  ShapeParameters<3> torus = tube;
+  torus.type               = ShapeType::ring;
+  CHECK(ratio(torus) == Approx(0.99).margin(0.01));
+  ShapeParameters<2> ring;
+  ring.type         = ShapeType::ring;
+  ring.centre       = {{1., 2.}};
+  ring.radius       = 0.1;
+  ring.inner_radius = 0.06;
+  CHECK(ratio(ring) == Approx(1.).margin(0.002));
+
+  ShapeParameters<3> box;
+  box.lower_corner        = {{0.95, 1.95, 2.9}};
+  box.upper_corner        = {{1.05, 2.2, 3.1}};
+  ShapeParameters<3> ball = tube;
+  ball.type               = ShapeType::sphere;
+  for (const ShapeType type : {ShapeType::union_of, ShapeType::difference, ShapeType::intersection})
+    {
+      ShapeParameters<3> both;
+      both.type  = type;
+      both.parts = {box, ball};
+      CHECK(ratio(both) == Approx(1.).margin(0.01));
+    }
+}
+
 TEST_CASE("a rotation vector is that of its rotation", "[geometry]")
 {
   // There and back for small angles, large ones and half a turn, where the sign of the axis is free.

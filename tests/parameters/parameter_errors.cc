@@ -212,6 +212,10 @@ TEST_CASE("Messages on bodies", "[parameters]")
   CHECK(message_with("Bodies/cube/Material=klay") ==
         "Bodies/cube/Material = klay: there is no material of this name. Materials/List of "
         "materials is 'clay'; did you mean 'clay'?");
+  CHECK(
+    message_with("Bodies/cube/Arrangement=face-centred", {"Bodies/cube/Particles per edge=1"}) ==
+    "Bodies/cube/Arrangement = face-centred: with Particles per edge = 1 every other cell would be "
+    "empty; it takes 2 or more.");
   CHECK(message_with("Bodies/cube/Shape=sphere") ==
         "cube.prm: Bodies/cube/Centre is not given: Shape = sphere needs it.");
   CHECK(message_with("Bodies/cube/Radius=1") ==
@@ -441,6 +445,73 @@ TEST_CASE("Messages on the motion of magnets", "[parameters]")
         "Magnets/magnet/Friction = 0.2: there is friction with Contact = slip or separate only.");
 }
 
+// A cube of two named shapes, one fault at a time: the message has to name the shape at fault, which may be one
+// that another is made of, and the list from which names are taken.
+TEST_CASE("Messages on shapes made of others", "[parameters]")
+{
+  const std::string shapes = R"(subsection Shapes
+  set List of shapes = block, hole, nut
+  subsection block
+    set Lower corner = 0.25, 0.25, 0.5
+    set Upper corner = 0.75, 0.75, 0.75
+  end
+  subsection hole
+    set Shape = cylinder
+    set Centre = 0.5, 0.5, 0.5
+    set Radius = 0.125
+    set Axis = 0, 0, 1
+    set Length = 1
+  end
+  subsection nut
+    set Shape = difference
+    set Of = block, hole
+  end
+end
+)";
+  const std::string corners =
+    "    set Lower corner = 0.25, 0.25, 0.5\n    set Upper corner = 0.75, 0.75, 0.75\n";
+  std::string text = valid_text;
+  text.replace(
+    text.find(corners), corners.size(), "    set Shape = difference\n    set Of = block, hole\n");
+  text += shapes;
+  CHECK(message_on(text) == "");
+  CHECK(message_on(text, {"Bodies/cube/Shape=union", "Bodies/cube/Of=block, nut"}) == "");
+  CHECK(
+    message_on(text, {"Bodies/cube/Of=block, bolt"}) ==
+    "--set \"Bodies/cube/Of=block, bolt\": Bodies/cube/Of = block, bolt: there is no shape 'bolt'. "
+    "Shapes/List of shapes is 'block, hole, nut'.");
+  CHECK(message_on(text, {"Bodies/cube/Of=block"}) ==
+        "--set \"Bodies/cube/Of=block\": Bodies/cube/Of = block: it takes at least two names of "
+        "Shapes/List of shapes, separated by commas.");
+  CHECK(message_on(text,
+                   {"Shapes/block/Shape=union",
+                    "Shapes/block/Lower corner=",
+                    "Shapes/block/Upper corner=",
+                    "Shapes/block/Of=hole, nut"}) ==
+        "--set \"Shapes/block/Of=hole, nut\": Shapes/block/Of = hole, nut: it is made of itself: "
+        "block, nut, block.");
+  CHECK(message_on(text, {"Bodies/cube/Of=block, block"}) ==
+        "--set \"Bodies/cube/Of=block, block\": Bodies/cube/Of: nothing is left of it; move its "
+        "parts.");
+  CHECK(
+    message_on(text, {"Shapes/hole/Radius="}) ==
+    "--set \"Shapes/hole/Radius=\": Shapes/hole/Radius is not given: Shape = cylinder needs it.");
+  CHECK(message_on(text, {"Shapes/hole/Shape=points"})
+          .find("must be one of: box, sphere, ring, union, "
+                "difference, intersection, cylinder, tube, mesh.") != std::string::npos);
+  CHECK(message_on(text, {"Shapes/hole/Shape=tube"}) ==
+        "cube.prm: Shapes/hole/Inner radius is not given: Shape = tube needs it.");
+  CHECK(message_on(text, {"Shapes/hole/Shape=tube", "Shapes/hole/Inner radius=0.125"}) ==
+        "--set \"Shapes/hole/Inner radius=0.125\": Shapes/hole/Inner radius = 0.125: it must be "
+        "smaller "
+        "than Shapes/hole/Radius (0.125 m).");
+  CHECK(
+    message_on(text,
+               {"Shapes/block/Upper corner=0.75, 0.75, 1.5", "Shapes/hole/Centre=0.5, 0.5, 0.7"})
+      .find("Bodies/cube/Of = block, hole: the body reaches to z = 1.5 m, outside of the box") !=
+    std::string::npos);
+}
+
 // The cube begins at z = 0.5. Bars and a cylinder reach into it only as they are turned.
 TEST_CASE("Messages on magnets inside of bodies", "[parameters]")
 {
@@ -511,7 +582,9 @@ end
   CHECK(message_on(text) == "");
   CHECK(message_on(text, {"Bodies/disc/Shape=cylinder"}) ==
         "--set \"Bodies/disc/Shape=cylinder\": Bodies/disc/Shape = cylinder: must be one of: box, "
-        "sphere, points. (Its shape; a sphere is a disc in 2D, a cylinder and a mesh need "
+        "sphere, ring, union, difference, intersection, points. (Its shape; a sphere is a disc in "
+        "2D, a ring is "
+        "a torus, in 2D a disc with a hole; a cylinder, a tube and a mesh need "
         "Dimension = 3.)");
   CHECK(
     message_on(text, {"Bodies/disc/Length=1"}) ==

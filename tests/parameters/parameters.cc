@@ -144,6 +144,81 @@ TEST_CASE("A parameter file fills the parameters of all rooms", "[parameters]")
   CHECK(scene.magnet_bodies[0].contact.condition == ContactCondition::slip);
 }
 
+// Names of shapes become these shapes, also where one is made of another that is listed later: a union of a
+// ring and a block less a hole, in 2D, has the area of its parts.
+TEST_CASE("Bodies and rigid bodies may be made of named shapes", "[parameters]")
+{
+  const Parameters<2> scene =
+    read<2>(R"(
+set Dimension = 2
+set End time  = 1
+subsection Box
+  set Upper corner = 2, 2
+  set Cell size    = 0.125
+end
+subsection Shapes
+  set List of shapes = both, drilled, block, hole, hoop
+  subsection both
+    set Shape = union
+    set Of    = drilled, hoop
+  end
+  subsection drilled
+    set Shape = difference
+    set Of    = block, hole
+  end
+  subsection block
+    set Lower corner = 0.25, 0.25
+    set Upper corner = 0.75, 0.75
+  end
+  subsection hole
+    set Shape  = sphere
+    set Centre = 0.5, 0.5
+    set Radius = 0.125
+  end
+  subsection hoop
+    set Shape        = ring
+    set Centre       = 1.5, 1.5
+    set Radius       = 0.25
+    set Inner radius = 0.125
+  end
+end
+subsection Bodies
+  set List of bodies = body
+  subsection body
+    set Shape    = union
+    set Of       = both, hole
+    set Material = clay
+    set Density  = 1000
+  end
+end
+subsection Rigid bodies
+  set List of rigid bodies = inside
+  subsection inside
+    set Shape    = intersection
+    set Of       = plug, hoop_hole
+    set Mass     = 1
+  end
+end
+subsection Materials
+  set List of materials = clay
+  subsection clay
+    set Young's modulus = 1e6
+    set Poisson ratio   = 0.25
+  end
+end
+)",
+            {"Shapes/List of shapes=both, drilled, block, hole, hoop, plug, hoop_hole",
+             "Shapes/plug/Lower corner=1.4, 1.4",
+             "Shapes/plug/Upper corner=1.6, 1.6",
+             "Shapes/hoop_hole/Shape=sphere",
+             "Shapes/hoop_hole/Centre=1.5, 1.5",
+             "Shapes/hoop_hole/Radius=0.12"});
+  const double of_hoop = constants::pi * (0.0625 - 0.015625);
+  CHECK(make_shape(scene.bodies[0].shape)->volume_moments().volume ==
+        Approx(0.25 + of_hoop).epsilon(1e-3));
+  CHECK(scene.rigid_bodies[0].shape.parts.size() == 2);
+}
+
 // Either way of giving moduli and magnetization ends in the same numbers. E = 1e6 Pa and nu = 1/4
 // make both Lame moduli 0.4e6 Pa, and the grains of Sun et al. 2021 have M_s = n m and
 // chi_0 = mu_0 n m^2/(3 k_B T).

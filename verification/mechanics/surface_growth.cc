@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <utility>
 
 namespace magmpm::verification
@@ -48,60 +49,44 @@ namespace magmpm::verification
                          : std::cos(std::sqrt(-square) * time);
     }
 
-    /** A box-shaped part of the layer. */
-    struct Part
+    /** Between particles, which are on a regular grid [m]. */
+    double
+    distance_of(const SurfaceWave &wave)
     {
-      double left, right, lower, upper; // m
-    };
+      return depth / wave.cells_per_half_wave / wave.particles_per_edge;
+    }
 
-    /**
-     * The layer as a box below the troughs and, above it, slabs as thick as particles are apart, as long as
-     * the wave is higher than their middle: the surface has steps that P2G smooths.
-     */
-    std::vector<Part>
-    parts_of_layer(const double amplitude, const double distance)
+    /** A file with the particles of the layer, all of the same area: the surface has steps that P2G smooths. */
+    std::string
+    write_particles(const std::string &name, const SurfaceWave &wave)
     {
-      const int n             = static_cast<int>(std::ceil(amplitude / distance));
-      std::vector<Part> parts = {{0., length, 0., depth - n * distance}};
-      for (int j = -n; j < n; ++j)
-        {
-          const double height = (j + 0.5) * distance / amplitude;
-          const double lower = depth + j * distance, upper = lower + distance;
-          if (height <= -1.)
-            parts.push_back({0., length, lower, upper});
-          else if (height < 1.)
-            for (double crest = 0.; crest < 1.01 * length; crest += wave_length)
-              {
-                const double half = std::acos(height) / k;
-                parts.push_back(
-                  {std::max(0., crest - half), std::min(length, crest + half), lower, upper});
-              }
-        }
-      return parts;
+      const double distance  = distance_of(wave);
+      const double amplitude = wave.steepness / k;
+      std::ofstream file(name + ".csv");
+      file.precision(15);
+      const int n = static_cast<int>(std::lround(length / distance));
+      for (int j = 0; (j + 0.5) * distance < depth + amplitude; ++j)
+        for (int i = 0; i < n; ++i)
+          {
+            const double x = (i + 0.5) * distance, y = (j + 0.5) * distance;
+            if (y - depth < amplitude * std::cos(k * x))
+              file << x << ", " << y << '\n';
+          }
+      return name + ".csv";
     }
 
     std::string
-    bodies(const SurfaceWave &wave)
+    bodies(const std::string &name, const SurfaceWave &wave)
     {
-      const double distance         = depth / wave.cells_per_half_wave / wave.particles_per_edge;
-      const std::vector<Part> parts = parts_of_layer(wave.steepness / k, distance);
-      std::string names, text;
-      for (std::size_t i = 0; i < parts.size(); ++i)
-        {
-          const std::string name = "part" + std::to_string(i);
-          names += (i > 0 ? ", " : "") + name;
-          text +=
-            "subsection " + name +
-            "\nset Material = ferrofluid\nset Lower corner = " + as_text(parts[i].left) + ", " +
-            as_text(parts[i].lower) + "\nset Upper corner = " + as_text(parts[i].right) + ", " +
-            as_text(parts[i].upper) + "\nset Density = " + as_text(density) +
-            "\nset Particles per edge = " + std::to_string(wave.particles_per_edge) + "\nend\n";
-        }
-      return "subsection Bodies\nset List of bodies = " + names + "\n" + text + "end\n";
+      return "subsection Bodies\nset List of bodies = layer\nsubsection layer\n"
+             "set Material = ferrofluid\nset Shape = points\nset File = " +
+             write_particles(name, wave) + "\nset Density = " + as_text(density) +
+             "\nset Particles per edge = " + std::to_string(wave.particles_per_edge) +
+             "\nend\nend\n";
     }
 
     std::string
-    scene(const SurfaceWave &wave)
+    scene(const std::string &name, const SurfaceWave &wave)
     {
       const double dx    = depth / wave.cells_per_half_wave;
       const double end   = wave.duration / std::sqrt(std::abs(exact_square(wave)));
@@ -109,7 +94,7 @@ namespace magmpm::verification
       return "set Dimension = 2\nset End time = " + as_text(end) + "\nset Gravity = 0, " +
              as_text(-gravity) + "\nset Checkpoint every = never\n" +
              "subsection Box\nset Upper corner = " + as_text(length) + ", " + as_text(2. * depth) +
-             "\nset Cell size = " + as_text(dx) + "\nend\n" + bodies(wave) +
+             "\nset Cell size = " + as_text(dx) + "\nend\n" + bodies(name, wave) +
              "subsection Materials\nset List of materials = ferrofluid\nsubsection ferrofluid\n"
              "set Mechanical law = viscoelastic fluid\nset Viscosity = 1e-6\nset Bulk modulus = " +
              as_text(density * sound * sound) +
@@ -144,7 +129,7 @@ subsection Output
     double
     amplitude(const ParticleFrame &frame, const SurfaceWave &wave)
     {
-      const double volume = std::pow(depth / wave.cells_per_half_wave / wave.particles_per_edge, 2);
+      const double volume = std::pow(distance_of(wave), 2);
       double sum          = 0.;
       for (const auto &position : frame.positions)
         if (std::abs(position[0] - 0.5 * length) <= 0.5 * wave_length)
@@ -183,7 +168,7 @@ subsection Output
                              std::to_string(wave.cells_per_half_wave) + "-" +
                              std::to_string(wave.particles_per_edge);
     std::vector<std::pair<double, double>> amplitudes;
-    for (const ParticleFrame &frame : particle_frames(run_scene(name, scene(wave))))
+    for (const ParticleFrame &frame : particle_frames(run_scene(name, scene(name, wave))))
       amplitudes.emplace_back(frame.time, amplitude(frame, wave));
 
     SurfaceGrowth growth;

@@ -28,6 +28,10 @@ namespace magmpm
     VolumeMoments<dim>
     volume_moments() const override;
 
+    /** Exact. */
+    RegionMoments<dim>
+    moments_within(const BoundingBox<dim> &cell, const int depth = cell_depth<dim>) const override;
+
     std::vector<Vector<dim>>
     surface_points(const double spacing) const override;
 

@@ -22,6 +22,13 @@ namespace magmpm
     bool
     contains(const Vector<3> &point) const;
 
+    /**
+     * Moments, about the middle of @p cell, of what the mesh encloses in it: exact (ColumnMoments), where
+     * no triangle comes near by one look whether the middle is inside.
+     */
+    RegionMoments<3>
+    moments_within(const BoundingBox<3> &cell) const;
+
   private:
     const TriangleMesh &mesh;
     const BoundingBox<3> box;
@@ -34,9 +41,31 @@ namespace magmpm
     int
     bin_at(const double coordinate, const int axis) const;
 
+    /** Bins along y and along z. */
+    struct BinRange
+    {
+      int first[2], last[2];
+    };
+
+    /** Those between two places across x. */
+    BinRange
+    bins_between(const Vector<3> &lower, const Vector<3> &upper) const;
+
+    /** Those that a triangle may be in. */
+    BinRange
+    bins_of(const int triangle) const;
+
     /** Calls @p visit with each pair of triangle and bin that it may be in. */
     template <typename Visitor>
     void
     for_each_bin(const Visitor &visit) const;
+
+    /** Calls @p visit with each triangle, once, that may be in the column through @p box along x. */
+    template <typename Visitor>
+    void
+    for_each_triangle_across(const BoundingBox<3> &box, const Visitor &visit) const;
+
+    std::array<Vector<3>, 3>
+    corners(const int triangle) const;
   };
 } // namespace magmpm

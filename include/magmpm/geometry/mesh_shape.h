@@ -13,7 +13,7 @@ namespace magmpm
   /**
    * The inside of a closed triangle mesh.
    *
-   * Which points it contains, its box, moments and surface points are exact. Distances come from
+   * Which points it contains, its box, moments (also those of a part) and surface points are exact. Distances come from
    * samples on a grid (DistanceSamples, which says how far they err), taken when the first is asked
    * for, so that a shape that only seeds a body does without. Not to be asked by several threads at
    * once.
@@ -40,6 +40,10 @@ namespace magmpm
 
     VolumeMoments<3>
     volume_moments() const override;
+
+    /** Exact. */
+    RegionMoments<3>
+    moments_within(const BoundingBox<3> &cell, const int depth = cell_depth<3>) const override;
 
     std::vector<Vector<3>>
     surface_points(const double spacing) const override;

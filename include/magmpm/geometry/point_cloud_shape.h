@@ -27,6 +27,10 @@ namespace magmpm
     VolumeMoments<dim>
     volume_moments() const override;
 
+    /** None: points fill nothing. */
+    RegionMoments<dim>
+    moments_within(const BoundingBox<dim> &box, const int depth = cell_depth<dim>) const override;
+
     /** The points, however far apart. */
     std::vector<Vector<dim>>
     surface_points(const double spacing) const override;

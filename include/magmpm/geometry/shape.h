@@ -1,6 +1,6 @@
 #pragma once
 
-#include <magmpm/base/tensor.h>
+#include <magmpm/geometry/region_moments.h>
 
 #include <array>
 #include <memory>
@@ -9,13 +9,6 @@
 
 namespace magmpm
 {
-  /** The smallest box around something [m]. */
-  template <int dim>
-  struct BoundingBox
-  {
-    Vector<dim> lower, upper;
-  };
-
   /** The nearest point of a surface, seen from a point. */
   template <int dim>
   struct SurfaceDistance
@@ -42,15 +35,6 @@ namespace magmpm
                 const std::vector<double> &depths,
                 const double least_depth);
 
-  /** Volume and its moments, of a shape filled with density 1; in 2D per metre of depth. */
-  template <int dim>
-  struct VolumeMoments
-  {
-    double volume; ///< [m^3], in 2D [m^2]
-    Vector<dim> centroid;
-    Matrix<dim> second; ///< integral of r r^T about the centroid [m^5], in 2D [m^4]
-  };
-
   /** A surface for pictures: points and triangles (in 2D lines) between them, turned outward. */
   template <int dim>
   struct SurfaceMesh
@@ -58,6 +42,10 @@ namespace magmpm
     std::vector<Vector<dim>> points; ///< [m]
     std::vector<std::array<int, dim>> facets;
   };
+
+  /** How often a lattice cell is halved where a surface crosses it: 1/16, in 2D 1/128 of its edge. */
+  template <int dim>
+  inline constexpr int cell_depth = (dim == 2 ? 7 : 4);
 
   /**
    * A closed region of space: a body is seeded in it, a magnet or a rigid body has it. All points
@@ -73,7 +61,10 @@ namespace magmpm
     virtual bool
     contains(const Vector<dim> &point) const = 0;
 
-    /** Exact but for a mesh (MeshShape), and quick: to be asked in each step. */
+    /**
+     * Exact but for a mesh (MeshShape) and for shapes made of others (CombinedShape), and quick: to be
+     * asked in each step.
+     */
     virtual SurfaceDistance<dim>
     surface_distance(const Vector<dim> &point) const = 0;
 
@@ -93,6 +84,21 @@ namespace magmpm
     volume_moments() const = 0;
 
     /**
+     * Moments, about the middle of @p box, of the part of the shape in it.
+     *
+     * Exact for boxes and meshes. Otherwise the box is halved along all axes until the surface in it is
+     * as good as flat, at most @p depth times, and then cut by the plane nearest to the distances of
+     * the surface at its Gauss points: the mean of these takes the curvature in, so that what remains
+     * is a part of about (edge/R)^4 of a smooth cut, and (edge/2^depth)^2 per length of an edge of the
+     * surface.
+     *
+     * @param box    its edges longer than 0.
+     * @param depth  0: cuts the box as it is.
+     */
+    virtual RegionMoments<dim>
+    moments_within(const BoundingBox<dim> &box, const int depth = cell_depth<dim>) const;
+
+    /**
      * Points all over the surface, edges and corners among them, neighbours at most @p spacing [m]
      * apart. Some may be there twice.
      */
@@ -110,10 +116,15 @@ namespace magmpm
   enum class ShapeType
   {
     box,
-    sphere,   ///< a disc in 2D
-    cylinder, ///< 3D only
-    mesh,     ///< the inside of a closed triangle mesh, 3D only
-    points    ///< no region but a list of particles (PointCloudShape): of bodies only
+    sphere,       ///< a disc in 2D
+    cylinder,     ///< 3D only
+    tube,         ///< a cylinder with a cylindrical hole along its axis, 3D only
+    ring,         ///< a torus; in 2D a disc with a round hole in its middle
+    mesh,         ///< the inside of a closed triangle mesh, 3D only
+    union_of,     ///< what any of ShapeParameters::parts holds
+    difference,   ///< what the first of them holds and no other
+    intersection, ///< what all of them hold
+    points        ///< no region but a list of particles (PointCloudShape): of bodies only
   };
 
   /** A shape as a parameter file gives it. */
@@ -122,10 +133,11 @@ namespace magmpm
   {
     ShapeType type = ShapeType::box;
     Vector<dim> lower_corner, upper_corner; ///< box [m]
-    Vector<dim> centre;                     ///< sphere, cylinder (middle of the axis) [m]
-    double radius = 0.;                     ///< sphere, cylinder [m]
-    Vector<dim> axis;                       ///< cylinder: direction of the axis, any length
-    double length = 0.;                     ///< cylinder [m]
+    Vector<dim> centre;       ///< of what is round (cylinder, tube: middle of the axis) [m]
+    double radius       = 0.; ///< of what is round, the outer one [m]
+    double inner_radius = 0.; ///< tube, ring: of the hole [m]
+    Vector<dim> axis;         ///< cylinder, tube, ring in 3D: its direction, any length
+    double length = 0.;       ///< cylinder, tube [m]
 
     /** Mesh: STL, OBJ or PLY; points: CSV. Then scaled, rotated about its origin, translated. */
     std::string file;
@@ -133,12 +145,15 @@ namespace magmpm
     Vector<n_axial_components<dim>> rotation; ///< axis times angle [rad]
     Vector<dim> translation;                  ///< [m]
 
+    std::vector<std::string> part_names; ///< union, difference, intersection: names of their parts
+    std::vector<ShapeParameters> parts;  ///< the same, at least two
+
     double sample_spacing = 0.; ///< mesh: between the samples of its distance [m]; 0: derived
   };
 
   /**
-   * @throw InputError  if a file cannot be read or a mesh is not closed; names the file, says what is
-   *                    wrong and what to do.
+   * @throw InputError  if a file cannot be read or a mesh is not closed (names the file, says what is
+   *                    wrong and what to do), or if nothing is left of a difference or intersection.
    */
   template <int dim>
   std::unique_ptr<Shape<dim>>

@@ -3,6 +3,7 @@
 #include <magmpm/geometry/shape.h>
 #include <magmpm/lattice/lattice.h>
 #include <magmpm/parameters/parameter_register.h>
+#include <magmpm/parameters/shapes_section.h>
 #include <magmpm/particles/body_parameters.h>
 
 #include <memory>
@@ -26,6 +27,7 @@ namespace magmpm
   std::vector<std::unique_ptr<Shape<dim>>>
   check_bodies(const ParameterRegister &declarations,
                const std::vector<std::string> &material_names,
+               const NamedShapes<dim> &named_shapes,
                const Lattice<dim> &lattice,
                std::vector<BodyParameters<dim>> &bodies);
 } // namespace magmpm

@@ -6,6 +6,7 @@
 #include <magmpm/parameters/motion_input.h>
 #include <magmpm/parameters/parameter_register.h>
 #include <magmpm/parameters/parameters.h>
+#include <magmpm/parameters/shapes_section.h>
 
 #include <string>
 #include <vector>
@@ -20,6 +21,7 @@ namespace magmpm
     int dimension      = dim;
     double temperature = 300.; ///< of the grains [K]
     BoxInput<dim> box;
+    NamedShapes<dim> shapes;
     std::vector<std::string> body_names, material_names, magnet_names, rigid_body_names;
     std::vector<MaterialInput> materials;        ///< in the order of material_names
     std::vector<MagnetInput<dim>> magnets;       ///< in the order of magnet_names
@@ -27,7 +29,7 @@ namespace magmpm
   };
 
   /**
-   * Declares all parameters of a scene with the bodies, materials, magnets and rigid bodies named in @p input, and
+   * Declares all parameters of a scene with the shapes, bodies, materials, magnets and rigid bodies named in @p input, and
    * binds them to @p input and @p parameters, whose lists get their length here.
    */
   template <int dim>
@@ -42,13 +44,13 @@ namespace magmpm
    * ParameterRegister::apply() before.
    *
    * @param declarations  what the user gave, for messages that name it.
-   * @param input         what the user gave, as it comes.
+   * @param input         what the user gave, as it comes; its shapes get their parts.
    * @param parameters    filled by apply(); complete and warned about afterwards.
    * @throw InputError    at the first relation that does not hold.
    */
   template <int dim>
   void
   validate(const ParameterRegister &declarations,
-           const ParameterInput<dim> &input,
+           ParameterInput<dim> &input,
            Parameters<dim> &parameters);
 } // namespace magmpm

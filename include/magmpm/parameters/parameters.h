@@ -72,7 +72,7 @@ namespace magmpm
   read_parameters(const ParameterFile &file);
 
   /**
-   * The manual of all parameters in Markdown, with `<body>`, `<material>` and `<magnet>` in place of the
+   * The manual of all parameters in Markdown, with `<body>`, `<material>`, `<magnet>` and so on in place of the
    * names that a scene gives.
    */
   std::string

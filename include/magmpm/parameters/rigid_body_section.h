@@ -4,6 +4,7 @@
 #include <magmpm/parameters/motion_input.h>
 #include <magmpm/parameters/parameter_register.h>
 #include <magmpm/parameters/parameters.h>
+#include <magmpm/parameters/shapes_section.h>
 
 #include <memory>
 #include <vector>
@@ -22,6 +23,7 @@ namespace magmpm
    * Checks all rigid bodies, and reads how scripted ones move.
    *
    * @param motions     in their order.
+   * @param named_shapes  the shapes that they may be made of.
    * @param parameters  their rigid_bodies, and warnings are added.
    * @throw InputError  says which line is wrong.
    */
@@ -29,6 +31,7 @@ namespace magmpm
   void
   check_rigid_bodies(const ParameterRegister &declarations,
                      const std::vector<MotionInput> &motions,
+                     const NamedShapes<dim> &named_shapes,
                      const std::vector<std::unique_ptr<Shape<dim>>> &body_shapes,
                      Parameters<dim> &parameters);
 } // namespace magmpm

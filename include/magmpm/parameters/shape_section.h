@@ -3,6 +3,7 @@
 #include <magmpm/geometry/shape.h>
 #include <magmpm/lattice/lattice.h>
 #include <magmpm/parameters/parameter_register.h>
+#include <magmpm/parameters/shapes_section.h>
 
 #include <memory>
 #include <string>
@@ -23,8 +24,9 @@ namespace magmpm
 
   /**
    * Checks that the shape in @p section is given, all of it and nothing else. The file of a mesh
-   * becomes the path at which it is found.
+   * becomes the path at which it is found, names of shapes that it is made of become these shapes.
    *
+   * @param named  the shapes that it may be made of, checked before.
    * @return the shape.
    * @throw InputError  otherwise.
    */
@@ -32,6 +34,7 @@ namespace magmpm
   std::unique_ptr<Shape<dim>>
   check_shape(const ParameterRegister &declarations,
               const std::string &section,
+              const NamedShapes<dim> &named,
               ShapeParameters<dim> &parameters);
 
   /** Checks that the shape in @p section lies within the box of the lattice. @throw InputError  if not. */

@@ -31,7 +31,7 @@ namespace magmpm
     Vector<n_axial_components<dim>>
       angular_velocity; ///< spin at the start, about the centre of mass [rad/s]
 
-    /** Of an undeformed particle [m^3], in 2D [m^2]. */
+    /** Of an undeformed particle in a full cell, the mean of them [m^3], in 2D [m^2]. */
     double
     particle_volume(const Lattice<dim> &lattice) const
     {
