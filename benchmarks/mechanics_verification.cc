@@ -68,14 +68,7 @@ namespace
      {8, 16, 32},
      0.03,
      [](const int cells) { return velocity_error(ChannelFlow::poiseuille, cells); }},
-    {"spin",
-     "angular momentum of a free block, APIC",
-     {4, 8},
-     1e-10,
-     [](const int cells) { return angular_momentum_error(cells, "APIC"); }},
-    {"spin", "angular momentum of a free block, FMPM", {4, 8}, 1e-4, [](const int cells) {
-       return angular_momentum_error(cells, "FMPM");
-     }}};
+    {"spin", "angular momentum of a free block, APIC", {4, 8}, 1e-10, angular_momentum_error}};
 
   /** @return whether the finest lattice keeps the limit. */
   bool

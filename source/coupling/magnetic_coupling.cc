@@ -137,7 +137,7 @@ namespace magmpm
     for (const Body<dim> &body : bodies)
       drift = std::max(drift, way_since_solve(body));
     memory.age.drift = parallel::max(drift, communicator);
-    if (memory.age.drift > tolerated_drift())
+    if (memory.age.drift > tolerated_drift() || memory.age.drift > 0.5 * memory.age.path)
       return;
     // A motion that turned back is a vibration: its way says nothing about the force.
     for (Body<dim> &body : bodies)

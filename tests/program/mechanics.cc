@@ -49,7 +49,8 @@ TEST_CASE("A body falls freely", "[program]")
 TEST_CASE("Momentum and angular momentum of a spinning body are kept", "[program]")
 {
   // A block that spins and flies without gravity vibrates, but P2G and G2P with APIC conserve
-  // momentum and angular momentum: both stay what they were to rounding, 1e-12 of the start.
+  // momentum and angular momentum: both stay what they were to rounding, 1e-11 of the start
+  // in 400 steps.
   const Outcome run =
     run_magmpm(falling_block + no_output + fixed_step("2.5e-4") +
                "--set \"Materials/rubber/Transfer=APIC\" "
@@ -72,7 +73,7 @@ TEST_CASE("Momentum and angular momentum of a spinning body are kept", "[program
         }
       INFO(quantity << " changed by " << change << ", was " << size);
       CHECK(size > 0.01);
-      CHECK(change < 1e-12 * size);
+      CHECK(change < 1e-11 * size);
     }
   // It did deform: or conservation would have been easy.
   CHECK(statistics.last("elastic energy [J]") > 1e-4);
