@@ -1,6 +1,7 @@
 #include <magmpm/boundary/momentum_update.h>
 #include <magmpm/particles/particle_grid_transfer.h>
 #include <magmpm/particles/particle_sort.h>
+#include <magmpm/particles/velocity_filter.h>
 
 #include <verification/particles/random_bodies.h>
 

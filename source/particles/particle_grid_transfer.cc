@@ -3,8 +3,8 @@
 
 #include <magmpm/base/prefetch.h>
 #include <magmpm/base/simd_functions.h>
+#include <magmpm/particles/affine_batch.h>
 #include <magmpm/particles/gradient_batch.h>
-#include <magmpm/particles/make_material.h>
 #include <magmpm/particles/particle_grid_transfer.h>
 #include <magmpm/particles/transfer_runs.h>
 
@@ -56,38 +56,6 @@ namespace magmpm
     {
       const SimdDouble factor = (-time_step / run.spacing) * load(run.particles.volume, place);
       return factor * law.kirchhoff_stress(load_state<dim, Law>(run.particles, place), affine);
-    }
-
-    /**
-     * The momentum of particles, number @p p of the batch on, as a linear function for P2G: its value
-     * and how much it grows over dx in each direction.
-     */
-    template <int dim>
-    inline void
-    store_linear(const StencilBatch<dim> &stencils,
-                 const SimdDouble &mass,
-                 const Vector<dim, SimdDouble> &momentum,
-                 const Matrix<dim, SimdDouble> &slope,
-                 const int p,
-                 LinearBatch<dim> &batch)
-    {
-      constexpr int stride      = LinearBatch<dim>::stride;
-      SimdDouble first[n_lanes] = {};
-      for (int c = 0; c < dim; ++c)
-        first[c] = momentum[c];
-      for (int d = 0; d < dim; ++d)
-        {
-          const SimdDouble offset  = SimdDouble::load(&stencils.offsets[d][p]);
-          SimdDouble step[n_lanes] = {};
-          for (int c = 0; c < dim; ++c)
-            {
-              step[c] = slope(c, d);
-              first[c] -= offset * step[c];
-            }
-          store_transposed(step, batch.numbers[p][1 + d], stride);
-        }
-      first[3] = mass;
-      store_transposed(first, batch.numbers[p][0], stride);
     }
 
     /** The columns of a matrix of particles, number @p p of the batch on, for the gradients of P2G. */
@@ -191,48 +159,6 @@ namespace magmpm
       }
     };
 
-    /** What G2P found for particles, number @p p of the batch on: a vector and a matrix. */
-    template <int dim>
-    struct VectorAndMatrix
-    {
-      Vector<dim, SimdDouble> vector;
-      Matrix<dim, SimdDouble> matrix;
-
-      VectorAndMatrix(const LinearBatch<dim> &batch, const int p)
-      {
-        constexpr int stride = LinearBatch<dim>::stride;
-        SimdDouble lanes[n_lanes];
-        load_transposed(batch.numbers[p][0], stride, lanes);
-        for (int c = 0; c < dim; ++c)
-          vector[c] = lanes[c];
-        for (int d = 0; d < dim; ++d)
-          {
-            load_transposed(batch.numbers[p][1 + d], stride, lanes);
-            for (int c = 0; c < dim; ++c)
-              matrix(c, d) = lanes[c];
-          }
-      }
-    };
-
-    /** Velocity and affine velocity of particles, number @p p of the batch on, from sums of G2P. */
-    template <int dim>
-    inline VectorAndMatrix<dim>
-    affine_motion(const StencilBatch<dim> &stencils,
-                  const LinearBatch<dim> &batch,
-                  const double spacing,
-                  const int p)
-    {
-      VectorAndMatrix<dim> motion(batch, p);
-      for (int d = 0; d < dim; ++d)
-        {
-          const SimdDouble offset = SimdDouble::load(&stencils.offsets[d][p]);
-          for (int c = 0; c < dim; ++c)
-            motion.matrix(c, d) = (4. / spacing) *
-                                  (motion.matrix(c, d) - offset * motion.vector[c]);
-        }
-      return motion;
-    }
-
     /**
      * Moves and deforms the particles at @p place over a step.
      *
@@ -328,33 +254,6 @@ namespace magmpm
       lane_extremes.add_to(extremes);
     }
 
-    /** G2P, and P2G of what it gives, without any step in between, of @p factor times the masses. */
-    template <int dim>
-    [[gnu::flatten]] void
-    filter_run(const ParticleRun<dim> &run,
-               const double factor,
-               const double *velocity,
-               double *momentum)
-    {
-      StencilBatch<dim> stencils;
-      LinearBatch<dim> batch;
-      for_each_batch(run, [&](const std::size_t first, const int n) {
-        place_stencils(run, first, n, stencils);
-        gather_batch(stencils, n, velocity, [&](const int p, const auto &rows) {
-          sum_linear(stencils, rows, p, batch);
-        });
-        batch.repeat_last(n);
-        for_each_lanes(first, n, [&](const auto place, const int p) {
-          const VectorAndMatrix<dim> motion = affine_motion(stencils, batch, run.spacing, p);
-          const SimdDouble mass             = factor * load(run.particles.mass, place);
-          store_linear(
-            stencils, mass, mass * motion.vector, (run.spacing * mass) * motion.matrix, p, batch);
-        });
-        scatter_batch(stencils, n, momentum, [&](const int p, auto &rows) {
-          add_linear(stencils, batch, p, rows);
-        });
-      });
-    }
   } // namespace
 
   template <int dim>
@@ -381,43 +280,6 @@ namespace magmpm
           bodies[b].material);
       },
       [&](const int slot) { arena.add_to(field, blocks, slot); });
-  }
-
-  template <int dim>
-  double
-  share_given_back(const Body<dim> &body, const double spacing, const double time_step)
-  {
-    constexpr double damping_time = 0.5; // of noise, in dx/c
-    if (body.transfer == Transfer::apic)
-      return 0.;
-    return std::exp(-time_step * undeformed_wave_speed(body.material) / (damping_time * spacing));
-  }
-
-  template <int dim>
-  void
-  filter_velocity(std::vector<Body<dim>> &bodies,
-                  const std::vector<double> &factors,
-                  const BlockSet<dim> &blocks,
-                  const Lattice<dim> &lattice,
-                  const NodeField<dim> &velocity,
-                  NodeField<dim> &sums)
-  {
-    Arena<dim> from, to;
-    sums.set_zero();
-    for_each_run(
-      bodies,
-      blocks,
-      lattice,
-      all_bodies,
-      [&](const int slot) {
-        from.load(velocity, blocks, slot);
-        to.set_zero();
-      },
-      [&](const std::size_t b, const ParticleRun<dim> &run) {
-        if (factors[b] != 0.)
-          filter_run(run, factors[b], from.data(), to.data());
-      },
-      [&](const int slot) { to.add_to(sums, blocks, slot); });
   }
 
   template <int dim>
@@ -464,13 +326,6 @@ namespace magmpm
                                           const Lattice<dim> &,                                    \
                                           double,                                                  \
                                           NodeField<dim> &);                                       \
-  template double share_given_back<dim>(const Body<dim> &, double, double);                        \
-  template void filter_velocity<dim>(std::vector<Body<dim>> &,                                     \
-                                     const std::vector<double> &,                                  \
-                                     const BlockSet<dim> &,                                        \
-                                     const Lattice<dim> &,                                         \
-                                     const NodeField<dim> &,                                       \
-                                     NodeField<dim> &);                                            \
   template std::vector<ParticleExtremes> lattice_to_particles<dim>(const LatticeVelocities<dim> &, \
                                                                    const BlockSet<dim> &,          \
                                                                    const Lattice<dim> &,           \

@@ -1,4 +1,5 @@
 #include <magmpm/boundary/momentum_update.h>
+#include <magmpm/particles/velocity_filter.h>
 #include <magmpm/simulation/lattice_motion.h>
 
 #include <algorithm>

@@ -3,6 +3,7 @@
 #include <magmpm/particles/particle_grid_transfer.h>
 #include <magmpm/particles/particle_state.h>
 #include <magmpm/particles/particle_sums.h>
+#include <magmpm/particles/velocity_filter.h>
 
 #include "catch.h"
 

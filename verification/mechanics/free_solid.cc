@@ -8,6 +8,7 @@
 #include <magmpm/particles/particle_state.h>
 #include <magmpm/particles/particle_sums.h>
 #include <magmpm/particles/seeding.h>
+#include <magmpm/particles/velocity_filter.h>
 
 #include <verification/mechanics/free_solid.h>
 #include <verification/particles/random_bodies.h>

@@ -11,7 +11,7 @@ namespace magmpm
     viscoelastic_fluid
   };
 
-  /** How velocities go from the lattice to the particles; see lattice_to_particles(). */
+  /** How velocities go from the lattice to the particles; see velocity_filter.h. */
   enum class Transfer
   {
     apic, ///< particles take over the lattice's velocity: what it cannot hold is lost in every step
