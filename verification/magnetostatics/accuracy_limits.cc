@@ -71,6 +71,7 @@ namespace magmpm::verification
       {3, "translation", "", 8., "force noise", 4e-3},
       {3, "translation", "", 8., "work", 1e-2},
       {3, "magnet", "", 8., "force", 3e-2},
+      {3, "magnet", "", 8., "force in contact", 3e-2},
       {2, "sphere", "", 8., "dipole moment", 9e-3},
       {2, "sphere", "", 16., "dipole moment", 6e-3},
       {2, "sphere", "", 8., "rms H inside 0.7 R", 1.2e-2},

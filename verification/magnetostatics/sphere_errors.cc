@@ -191,10 +191,15 @@ namespace magmpm::verification
   Errors
   magnet_errors(const AccuracyCase &accuracy_case)
   {
-    const double radius           = accuracy_case.resolution * case_spacing;
-    const DipoleField<dim> magnet = {
-      1.8 * radius * oblique_direction<dim>(), 0.6 * radius, 2e6 * second_direction<dim>(), true};
-    return {{"force", force_error(accuracy_case, magnet)}};
+    const double radius = accuracy_case.resolution * case_spacing;
+    const auto error_at = [&](const double distance) {
+      return force_error<dim>(accuracy_case,
+                              {distance * radius * oblique_direction<dim>(),
+                               0.6 * radius,
+                               2e6 * second_direction<dim>(),
+                               true});
+    };
+    return {{"force", error_at(1.8)}, {"force in contact", error_at(1.6)}};
   }
 
   template <int dim>

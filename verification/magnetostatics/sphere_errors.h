@@ -27,7 +27,10 @@ namespace magmpm::verification
   Errors
   sphere_errors(const AccuracyCase &accuracy_case);
 
-  /** A solid magnet of radius 0.6 R, its surface 0.2 R from that of the sphere: "force". */
+  /**
+   * A solid magnet of radius 0.6 R, its surface 0.2 R from that of the sphere, "force", and touching it,
+   * "force in contact".
+   */
   template <int dim>
   Errors
   magnet_errors(const AccuracyCase &accuracy_case);
