@@ -46,8 +46,8 @@ namespace magmpm
 
     VectorAndMatrix(const LinearBatch<dim> &batch, const int p)
     {
-      constexpr int stride = LinearBatch<dim>::stride;
-      SimdDouble lanes[n_lanes];
+      constexpr int stride      = LinearBatch<dim>::stride;
+      SimdDouble lanes[n_lanes] = {};
       load_transposed(batch.numbers[p][0], stride, lanes);
       for (int c = 0; c < dim; ++c)
         vector[c] = lanes[c];
