@@ -101,3 +101,31 @@ TEMPLATE_TEST_CASE_SIG("A sudden force is not carried on", "[coupling]", ((int d
   set_rate_of_carried_force(0.1, other);
   CHECK(other.particles.n_components(ParticleProperty::magnetic_acceleration_rate) == 0);
 }
+
+// m (a_then + a_now)/2 . (x - x_then), a growing evenly from 3 to 3.5 times (1, 2(, 3)) on the way; the second
+// particle has ten times (1, 1(, 1)) more, and twice the mass. Without material there is no work.
+TEMPLATE_TEST_CASE_SIG("The carried force does its work since the solve",
+                       "[coupling]",
+                       ((int dim), dim),
+                       2,
+                       3)
+{
+  Body<dim> body              = body_of_two_particles<dim>(true);
+  ParticleSet<dim> &particles = body.particles;
+  solve<dim>(0., 2.5, body);
+  solve<dim>(1., 3., body);
+  advance_carried_force<dim>(1., body);
+  double expected = 0.;
+  for (std::size_t p = 0; p < 2; ++p)
+    {
+      particles.component(ParticleProperty::mass, 0)[p] = 1. + p;
+      for (int d = 0; d < dim; ++d)
+        {
+          particles.component(ParticleProperty::position_at_solve, d)[p] = 0.3;
+          particles.component(ParticleProperty::position, d)[p]          = 0.4 + 0.1 * d;
+          expected += (1. + p) * 3.25 * (1. + d + 10. * p) * (0.1 + 0.1 * d);
+        }
+    }
+  CHECK(work_since_solve(1., body) == Approx(expected));
+  CHECK(work_since_solve(1., body_of_two_particles<dim>(false)) == 0.);
+}
