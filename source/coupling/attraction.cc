@@ -61,10 +61,12 @@ namespace magmpm
 
   template <int dim>
   void
-  Attraction<dim>::match(const Vector<dim> &magnetic_force,
+  Attraction<dim>::begin(const Vector<dim> &magnetic_force,
                          const std::vector<Body<dim>> &bodies,
                          const MPI_Comm communicator)
   {
+    if (!attraction.matches_magnets)
+      return;
     attraction.acceleration = 1.;
     Vector<dim> unit_force;
     for (const Body<dim> &body : bodies)
@@ -82,13 +84,13 @@ namespace magmpm
 
   template <int dim>
   void
-  Attraction<dim>::act(const double time_step, std::vector<Body<dim>> &bodies)
+  Attraction<dim>::act(const Clock &clock, std::vector<Body<dim>> &bodies)
   {
     max_acceleration = 0.;
     if (!attraction.is_wanted())
       return;
     for (Body<dim> &body : bodies)
-      max_acceleration = std::max(max_acceleration, attract(attraction, time_step, body));
+      max_acceleration = std::max(max_acceleration, attract(attraction, clock.time_step, body));
   }
 
   template <int dim>

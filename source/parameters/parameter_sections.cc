@@ -195,7 +195,7 @@ namespace magmpm
                       parameters.magnetics,
                       parameters.mesh,
                       parameters.solve_trigger);
-    declare_attraction(declarations, parameters.attraction);
+    declare_attraction(declarations, parameters.forces.attraction);
     declare_rest(declarations, parameters.rest);
     declare_time_step(declarations, parameters.time_step);
     declare_runaway_limits(declarations, parameters.runaway_limits);
@@ -237,8 +237,8 @@ namespace magmpm
                         parameters.lattice.spacing,
                         !parameters.sources.empty(),
                         parameters.mesh.carries_potential},
-                       parameters.attraction);
-    if (parameters.attraction.matches_magnets)
+                       parameters.forces.attraction);
+    if (parameters.forces.attraction.matches_magnets)
       parameters.output.write_fields = false; // there will be none
     check_rest(declarations, parameters.rest);
     collect_warnings(declarations, parameters);

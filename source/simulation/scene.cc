@@ -61,7 +61,7 @@ namespace magmpm
     , magnetic(magnetic_part(parameters), external_field, phase_timer, communicator)
     , holder(rigid_part(parameters), external_field, magnetic.state().reactions, communicator)
     , fluids(parameters.lattice, open_faces(parameters.walls))
-    , attraction(parameters.attraction)
+    , forces(parameters.forces)
     , lattice_motion(parameters)
   {
     for (const BodyParameters<dim> &body : parameters.bodies)
@@ -75,14 +75,20 @@ namespace magmpm
   std::vector<const Coupling *>
   Scene<dim>::couplings() const
   {
-    return {&magnetic, &holder, &fluids, &attraction};
+    std::vector<const Coupling *> couplings = {&magnetic, &holder, &fluids};
+    for (const auto &force : forces.all())
+      couplings.push_back(force.get());
+    return couplings;
   }
 
   template <int dim>
   std::vector<Coupling *>
   Scene<dim>::couplings()
   {
-    return {&magnetic, &holder, &fluids, &attraction};
+    std::vector<Coupling *> couplings = {&magnetic, &holder, &fluids};
+    for (const auto &force : forces.all())
+      couplings.push_back(force.get());
+    return couplings;
   }
 
   template <int dim>
@@ -94,7 +100,12 @@ namespace magmpm
     holder.set_time(0.);
     magnetic.update(state.clock, all_bodies);
     find_sums();
-    match_attraction();
+    forces.begin(total().magnetic_force, all_bodies, communicator);
+    if (forces.replace_magnets())
+      {
+        magnetic.end(all_bodies);
+        find_sums();
+      }
     for (const Coupling *coupling : couplings())
       if (!coupling->description().empty())
         state.notices.push_back({false, coupling->description()});
@@ -110,20 +121,6 @@ namespace magmpm
     find_limits(extremes);
   }
 
-  template <int dim>
-  void
-  Scene<dim>::match_attraction()
-  {
-    if (!attraction.waits_for_match())
-      return;
-    Vector<dim> magnetic_force;
-    for (const ParticleSums<dim> &sums : state.sums)
-      magnetic_force += sums.magnetic_force;
-    attraction.match(magnetic_force, all_bodies, communicator);
-    magnetic.end(all_bodies);
-    find_sums();
-  }
-
   // One step, section 4.3 of Sun et al. 2021.
   template <int dim>
   void
@@ -132,7 +129,7 @@ namespace magmpm
     choose_time_step(request.until);
     holder.set_time(state.clock.time);
     magnetic.update(state.clock, all_bodies); // Eqs. (25)-(33)
-    attraction.act(state.clock.time_step, all_bodies);
+    forces.act(state.clock, all_bodies);
     fluids.relax(state.clock, decomposition->partition(), all_bodies);
     transfer_to_lattice(); // Eq. (28)
     update_lattice();      // Eqs. (33), (34)

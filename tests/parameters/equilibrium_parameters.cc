@@ -81,10 +81,10 @@ end
 // the default that the manual names.
 TEST_CASE("an attraction is there if its strength is", "[parameters]")
 {
-  CHECK_FALSE(read("").attraction.is_wanted());
+  CHECK_FALSE(read("").forces.attraction.is_wanted());
   const auto given = read("subsection Attraction\nset Strength = 12.5\nset Point = 0.5, 2\n"
                           "set Bodies = drop\nset Exponent = 4\nend\n")
-                       .attraction;
+                       .forces.attraction;
   CHECK(given.is_wanted());
   CHECK_FALSE(given.matches_magnets);
   CHECK(given.acceleration == 12.5);
@@ -98,7 +98,7 @@ TEST_CASE("an attraction is there if its strength is", "[parameters]")
   const std::string linear  = "Magnetics/Magnetization law=linear";
   const std::string chi     = "Materials/fluid/Initial susceptibility=1";
   const auto parameters     = read(matched + magnet, {linear, chi});
-  CHECK(parameters.attraction.matches_magnets);
+  CHECK(parameters.forces.attraction.matches_magnets);
   CHECK_FALSE(parameters.output.write_fields);
   CHECK(message_on(matched, {linear, chi}).find("there are no magnets to match") !=
         std::string::npos);

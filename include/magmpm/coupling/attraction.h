@@ -1,6 +1,6 @@
 #pragma once
 
-#include <magmpm/coupling/coupling.h>
+#include <magmpm/coupling/body_force.h>
 #include <magmpm/particles/body.h>
 
 #include <mpi.h>
@@ -58,32 +58,29 @@ namespace magmpm
 
   /** The artificial attraction in the time loop. A scene without it pays nothing. */
   template <int dim>
-  class Attraction : public Coupling
+  class Attraction : public BodyForce<dim>
   {
   public:
     explicit Attraction(const PointAttraction<dim> &parameters);
 
-    /** Whether it is to have the total force of the magnets at the start, and does not have it yet. */
     bool
-    waits_for_match() const
+    replaces_magnets() const override
     {
-      return attraction.matches_magnets && attraction.acceleration == 0.;
+      return attraction.matches_magnets;
     }
 
     /**
-     * Gives it the total force, in size, of the magnets. Collective.
+     * Gives an attraction that is to match the magnets their total force, in size.
      *
-     * @param magnetic_force  on all bodies [N].
-     * @throw RunError        if it or that of the attraction is zero.
+     * @throw RunError  if that or the force of the attraction is zero.
      */
     void
-    match(const Vector<dim> &magnetic_force,
+    begin(const Vector<dim> &magnetic_force,
           const std::vector<Body<dim>> &bodies,
-          const MPI_Comm communicator);
+          const MPI_Comm communicator) override;
 
-    /** Gives the particles the impulse of a step. @param time_step  [s] */
     void
-    act(const double time_step, std::vector<Body<dim>> &bodies);
+    act(const Clock &clock, std::vector<Body<dim>> &bodies) override;
 
     std::string
     description() const override;

@@ -2,7 +2,7 @@
 
 #include <magmpm/boundary/rigid_body_parameters.h>
 #include <magmpm/boundary/wall_parameters.h>
-#include <magmpm/coupling/attraction.h>
+#include <magmpm/coupling/body_forces.h>
 #include <magmpm/coupling/solve_trigger_parameters.h>
 #include <magmpm/lattice/lattice.h>
 #include <magmpm/magnetics/magnetics_parameters.h>
@@ -36,7 +36,7 @@ namespace magmpm
     std::vector<RigidBodyProperties<dim>> magnet_bodies; ///< of each source, if it is a rigid body
     std::vector<RigidBodyParameters<dim>> rigid_bodies;
 
-    PointAttraction<dim> attraction;
+    BodyForceParameters<dim> forces;
     WallParameters<dim> walls;
     MeshParameters<dim> mesh;
     MagneticsParameters<dim> magnetics;

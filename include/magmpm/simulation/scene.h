@@ -1,6 +1,6 @@
 #pragma once
 
-#include <magmpm/coupling/attraction.h>
+#include <magmpm/coupling/body_forces.h>
 #include <magmpm/coupling/clock.h>
 #include <magmpm/coupling/fluid_density.h>
 #include <magmpm/coupling/magnetic_coupling.h>
@@ -195,10 +195,6 @@ namespace magmpm
     void
     regroup_particles();
 
-    /** Gives the artificial attraction, if it is to, the total force of the magnets, and ends theirs. */
-    void
-    match_attraction();
-
     /** The length of this step, and what limits it. */
     void
     choose_time_step(const double until);
@@ -240,7 +236,7 @@ namespace magmpm
     MagneticCoupling<dim> magnetic;
     RigidBodyCoupling<dim> holder;
     FluidDensity<dim> fluids;
-    Attraction<dim> attraction;
+    BodyForces<dim> forces;
 
     std::unique_ptr<DomainDecomposition<dim>> decomposition;
     std::vector<Body<dim>> all_bodies;
