@@ -22,8 +22,10 @@ def call(command, **options):
 
 def build(root):
     """Builds magmpm in a source folder, in the way of that source. Returns the program."""
-    print("building magmpm in %s" % root, flush=True)
-    call([os.path.join(root, "scripts", "setup"), "magmpm"])
+    print("building magmpm in %s (minutes, if ccache does not know it)" % root, flush=True)
+    # scripts/setup sets it, too, but did not always: old commits share their objects with new ones.
+    call([os.path.join(root, "scripts", "setup"), "magmpm"],
+         env=dict(os.environ, CCACHE_BASEDIR=root))
     return os.path.join(root, "build", "magmpm")
 
 
