@@ -56,6 +56,7 @@ namespace magmpm::benchmarks
         , bodies(block.bodies)
         , time_step(block.time_step)
         , boundary(lattice, walls(), no_rigid_bodies)
+        , no_contact(lattice, walls(), no_rigid_bodies)
         , particle_mass(bodies[0].particles.component(ParticleProperty::mass, 0)[0])
       {
         for (Body<3> &body : bodies)
@@ -89,6 +90,7 @@ namespace magmpm::benchmarks
       {
         update_lattice_momentum(blocks,
                                 boundary,
+                                no_contact,
                                 {{0., 0., gravity}},
                                 time_step,
                                 0.,
@@ -116,6 +118,7 @@ namespace magmpm::benchmarks
       double time_step;
       const std::vector<RigidBody<3>> no_rigid_bodies;
       LatticeBoundary<3> boundary;
+      SolidContact<3> no_contact; // with the walls: none is near
       double particle_mass;
       BlockSet<3> blocks;
       NodeField<3> field;

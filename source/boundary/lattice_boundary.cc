@@ -54,17 +54,27 @@ namespace magmpm
           }
       }
     // Walls last: a node in a corner of a wall and a magnet must not leave the box.
-    for (int d = 0; d < dim; ++d)
-      for (int side = 0; side < 2; ++side)
-        if (side == 0 ? node[d] <= 0 : node[d] >= lattice.n_cells[d])
-          {
-            Vector<dim> normal;
-            normal[d] = (side == 0 ? 1. : -1.);
-            velocity -= taken_by(
-              contact_share({as_contact(walls.condition[2 * d + side]), 0.}, normal, velocity),
-              normal,
-              velocity);
-          }
+    for (int face = 0; face < 2 * dim; ++face)
+      if (is_at_wall(node, face))
+        {
+          Vector<dim> normal;
+          normal[face / 2] = (face % 2 == 0 ? 1. : -1.);
+          velocity -=
+            taken_by(contact_share(
+                       {as_contact(walls.condition[face]), walls.friction[face]}, normal, velocity),
+                     normal,
+                     velocity);
+        }
+    return velocity;
+  }
+
+  template <int dim>
+  Vector<dim>
+  LatticeBoundary<dim>::at_sticking_walls(const Index<dim> &node, const Vector<dim> &velocity) const
+  {
+    for (int face = 0; face < 2 * dim; ++face)
+      if (walls.condition[face] == WallCondition::stick && is_at_wall(node, face))
+        return {};
     return velocity;
   }
 

@@ -26,6 +26,7 @@ namespace magmpm
   void
   update_lattice_momentum(const BlockSet<dim> &blocks,
                           const LatticeBoundary<dim> &boundary,
+                          SolidContact<dim> &contact,
                           const Vector<dim> &gravity,
                           const double time_step,
                           const double damping_rate,
@@ -46,7 +47,15 @@ namespace magmpm
           const Vector<dim> momentum = field.get(NodeMotion::momentum, slot, n);
           for (int d = 0; d < dim; ++d)
             free[d] = remaining * (momentum[d] / mass + time_step * gravity[d]);
-          velocity = boundary.constrained(node_of_block<dim>(blocks.block(slot), n), free);
+          const Index<dim> node = node_of_block<dim>(blocks.block(slot), n);
+          if (contact.acts_on(slot, n, mass))
+            {
+              free     = contact.pressed(slot, n, node, time_step, mass, free);
+              velocity = boundary.at_sticking_walls(node,
+                                                    contact.held(slot, n, node, time_step, free));
+            }
+          else
+            velocity = boundary.constrained(node, free);
         }
       field.set(NodeMotion::velocity, slot, n, velocity);
       if (keeps_both)
@@ -112,6 +121,7 @@ namespace magmpm
 #define INSTANTIATE(dim)                                              \
   template void update_lattice_momentum(const BlockSet<dim> &,        \
                                         const LatticeBoundary<dim> &, \
+                                        SolidContact<dim> &,          \
                                         const Vector<dim> &,          \
                                         double,                       \
                                         double,                       \

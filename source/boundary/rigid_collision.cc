@@ -38,7 +38,7 @@ namespace magmpm
     are_zero(const std::vector<RigidEquation<dim>> &equations)
     {
       return std::all_of(equations.begin(), equations.end(), [](const auto &equation) {
-        return frobenius_norm(equation.inertia) == 0.;
+        return frobenius_norm(equation.inertia) == 0. && norm(equation.momentum) == 0.;
       });
     }
 
@@ -99,18 +99,20 @@ namespace magmpm
   int
   RigidCollision<dim>::collide(const BlockSet<dim> &blocks,
                                const LatticeBoundary<dim> &boundary,
+                               const SolidContact<dim> &contact,
                                const double time_step,
                                const double typical_mass,
                                const MPI_Comm communicator,
                                std::vector<RigidBody<dim>> &bodies,
-                               NodeField<dim> &field) const
+                               NodeField<dim> &field,
+                               NodeField<dim> &unconstrained) const
   {
     if (std::none_of(bodies.begin(), bodies.end(), [](const auto &body) { return body.is_free(); }))
       return 0;
     const std::vector<RigidContact<dim>> contacts = search.find(bodies, time_step);
     separate_overlaps(contacts, tolerated_overlap * lattice.spacing, bodies);
 
-    TouchedNodes<dim> nodes(bodies, blocks, lattice, negligible_mass(typical_mass), field);
+    TouchedNodes<dim> nodes(bodies, contact, blocks, lattice, negligible_mass(typical_mass), field);
     std::vector<RigidVector<dim>> motions(bodies.size());
     for (std::size_t b = 0; b < bodies.size(); ++b)
       motions[b] = rigid_vector<dim>(bodies[b].motion().velocity,
@@ -121,6 +123,8 @@ namespace magmpm
         nodes.update_shares(bodies, motions);
         std::vector<RigidEquation<dim>> equations(bodies.size());
         nodes.add_to(equations);
+        for (std::size_t b = 0; b < bodies.size(); ++b)
+          equations[b].momentum += contact.impulses()[b];
         sum_over_ranks(bodies, communicator, equations);
         if (iteration == 0 && contacts.empty() && are_zero(equations))
           return 1;
@@ -130,7 +134,7 @@ namespace magmpm
         converged = is_converged(bodies, before, motions);
       }
     // With the shares of the last equations: then momentum is conserved, converged or not.
-    nodes.apply(motions, blocks, boundary, field);
+    nodes.apply(motions, blocks, boundary, field, unconstrained);
     for (std::size_t b = 0; b < bodies.size(); ++b)
       if (bodies[b].is_free())
         bodies[b].set_motion(motion_of<dim>(motions[b]));

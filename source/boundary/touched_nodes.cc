@@ -27,6 +27,7 @@ namespace magmpm
 
   template <int dim>
   TouchedNodes<dim>::TouchedNodes(const std::vector<RigidBody<dim>> &bodies,
+                                  const SolidContact<dim> &contact,
                                   const BlockSet<dim> &blocks,
                                   const Lattice<dim> &lattice,
                                   const double negligible_mass,
@@ -44,13 +45,40 @@ namespace magmpm
         for (int n = 0; n < nodes_per_block<dim> && !near.empty(); ++n)
           {
             const double mass = field.get(NodeMotion::mass, slot, n);
-            if (mass > negligible_mass)
+            if (mass > negligible_mass && !contact.acts_on(slot, n, mass))
               add_if_touched(
                 bodies,
                 near,
                 lattice.node_position(node_of_block<dim>(blocks.block(slot), n)),
                 {slot, n, 0, {}, {}, field.get(NodeMotion::velocity, slot, n), mass, {}});
           }
+      }
+    add_solids(bodies, contact, blocks, lattice, field);
+  }
+
+  template <int dim>
+  void
+  TouchedNodes<dim>::add_solids(const std::vector<RigidBody<dim>> &bodies,
+                                const SolidContact<dim> &contact,
+                                const BlockSet<dim> &blocks,
+                                const Lattice<dim> &lattice,
+                                const NodeField<dim> &field)
+  {
+    for (const auto &touched : contact.touched_nodes())
+      {
+        const Vector<dim> position =
+          lattice.node_position(node_of_block<dim>(blocks.block(touched.slot), touched.number));
+        nodes.push_back({touched.slot,
+                         touched.number,
+                         touched.body,
+                         position - bodies[touched.body].pose().position,
+                         touched.normal,
+                         field.get(NodeMotion::velocity, touched.slot, touched.number),
+                         field.get(NodeMotion::mass, touched.slot, touched.number),
+                         {},
+                         true,
+                         touched.is_held,
+                         touched.pressing});
       }
   }
 
@@ -85,10 +113,16 @@ namespace magmpm
                                    const std::vector<RigidVector<dim>> &motions)
   {
     for (Node &node : nodes)
-      node.share = contact_share(
-        bodies[node.body].contact(),
-        node.normal,
-        node.velocity - motion_of<dim>(motions[node.body]).velocity_at(node.from_centre));
+      {
+        const SurfaceContact &contact = bodies[node.body].contact();
+        const Vector<dim> relative =
+          node.velocity - motion_of<dim>(motions[node.body]).velocity_at(node.from_centre);
+        if (!node.is_solid ||
+            (node.is_held && node.pressing == 0. && dot(relative, node.normal) > 0.))
+          node.share = contact_share(contact, node.normal, relative);
+        else
+          node.share = friction_share(contact, node.mass, node.pressing, node.normal, relative);
+      }
   }
 
   template <int dim>
@@ -106,7 +140,7 @@ namespace magmpm
     };
     for (const Node &node : nodes)
       {
-        if (node.share.normal == 0.)
+        if (node.share.normal == 0. && node.share.tangential == 0.)
           continue;
         RigidEquation<dim> &equation = equations[node.body];
         add(equation, node, node.share.normal - node.share.tangential, node.normal);
@@ -124,16 +158,22 @@ namespace magmpm
   TouchedNodes<dim>::apply(const std::vector<RigidVector<dim>> &motions,
                            const BlockSet<dim> &blocks,
                            const LatticeBoundary<dim> &boundary,
-                           NodeField<dim> &field) const
+                           NodeField<dim> &field,
+                           NodeField<dim> &unconstrained) const
   {
     for (const Node &node : nodes)
       {
         const Vector<dim> relative =
           node.velocity - motion_of<dim>(motions[node.body]).velocity_at(node.from_centre);
-        const Vector<dim> velocity =
-          boundary.constrained(node_of_block<dim>(blocks.block(node.slot), node.number),
-                               node.velocity - taken_by(node.share, node.normal, relative));
-        field.set(NodeMotion::velocity, node.slot, node.number, velocity);
+        const Vector<dim> velocity = node.velocity - taken_by(node.share, node.normal, relative);
+        const Index<dim> index     = node_of_block<dim>(blocks.block(node.slot), node.number);
+        if (unconstrained.n_blocks() > 0)
+          unconstrained.set(NodeMotion::velocity, node.slot, node.number, velocity);
+        field.set(NodeMotion::velocity,
+                  node.slot,
+                  node.number,
+                  node.is_solid ? boundary.at_sticking_walls(index, velocity)
+                                : boundary.constrained(index, velocity));
       }
   }
 

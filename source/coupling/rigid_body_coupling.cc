@@ -1,3 +1,4 @@
+#include <magmpm/coupling/contact_sums.h>
 #include <magmpm/coupling/magnet_bodies.h>
 #include <magmpm/coupling/rigid_body_coupling.h>
 
@@ -7,8 +8,16 @@ namespace magmpm
 {
   namespace
   {
-    /** How deep particles may lie in a rigid body: those pressed against it do, by less than this. */
-    constexpr double tolerated_depth = 0.5; // of dx
+    /**
+     * How deep particles may lie in a rigid body, in dx: those pressed against it do, by less than this. Solids
+     * are pressed out by contact the harder the deeper they are.
+     */
+    template <int dim>
+    double
+    tolerated_depth(const Body<dim> &body)
+    {
+      return body.particles.n_components(ParticleProperty::half_extent) > 0 ? 1. : 0.5;
+    }
 
     /** Points of the bodies' surfaces where they touch each other. */
     constexpr double spacing_of_points = 1.; // dx
@@ -38,6 +47,7 @@ namespace magmpm
     , communicator(communicator)
     , rigid_bodies(all_bodies(parameters, external_field))
     , boundary(parameters.lattice, parameters.walls, rigid_bodies.all())
+    , solid_contact(parameters.lattice, parameters.walls, rigid_bodies.all())
     , collision(parameters.lattice,
                 parameters.walls,
                 rigid_bodies.all(),
@@ -59,21 +69,37 @@ namespace magmpm
 
   template <int dim>
   void
+  RigidBodyCoupling<dim>::find_contact(const BlockPartition<dim> &partition,
+                                       const std::vector<Body<dim>> &bodies)
+  {
+    const BlockSet<dim> &blocks = partition.blocks();
+    solid_contact.reinit(now.contact_is_near ? blocks.size() : 0);
+    if (!now.contact_is_near)
+      return;
+    sum_contact(bodies, blocks, parameters.lattice, solid_contact, solid_contact.sums());
+    partition.add_ghosts_to_owners(solid_contact.sums());
+  }
+
+  template <int dim>
+  void
   RigidBodyCoupling<dim>::collide(const Clock &clock,
                                   const BlockSet<dim> &blocks,
                                   const double typical_particle_mass,
-                                  NodeField<dim> &field)
+                                  NodeField<dim> &field,
+                                  NodeField<dim> &unconstrained)
   {
     if (!rigid_bodies.any_is_free())
       return;
     accelerate(clock.time_step);
     collision.collide(blocks,
                       boundary,
+                      solid_contact,
                       clock.time_step,
                       typical_particle_mass,
                       communicator,
                       rigid_bodies.all(),
-                      field);
+                      field,
+                      unconstrained);
   }
 
   template <int dim>
@@ -131,7 +157,7 @@ namespace magmpm
                                          const OpenFaces<dim> &open,
                                          std::vector<Body<dim>> &bodies)
   {
-    holds_now.clear();
+    now.holds.clear();
     for (const RigidBody<dim> &rigid_body : rigid_bodies.all())
       {
         if (rigid_body.contact().condition == ContactCondition::none)
@@ -143,37 +169,34 @@ namespace magmpm
                               rigid_body.shape(),
                               rigid_body.pose_of_shape(),
                               rigid_body.motion_of_shape(),
-                              tolerated_depth * parameters.lattice.spacing,
+                              tolerated_depth(body) * parameters.lattice.spacing,
                               body);
-        holds_now.push_back(all);
+        now.holds.push_back(all);
       }
-    held_now = 0;
+    now.held = 0;
     for (Body<dim> &body : bodies)
-      held_now += hold_at_walls(blocks, parameters.lattice, open, body);
+      now.held += hold_at_walls(blocks, parameters.lattice, open, body);
+    now.contact_energy  = solid_contact.energy();
+    now.contact_depth   = solid_contact.depth();
+    now.contact_is_near = is_contact_near(bodies, blocks, parameters.lattice, solid_contact);
   }
 
   template <int dim>
   void
   RigidBodyCoupling<dim>::reduce(parallel::Reduction &reduction)
   {
-    reduction.sum(held_now);
-    for (RigidHold<dim> &hold : holds_now)
-      {
-        reduction.sum(hold.n_inside);
-        reduction.sum(hold.n_held);
-        reduction.max(hold.deepest);
-        reduction.sum(hold.impulse);
-        reduction.sum(hold.angular_impulse);
-      }
+    now.reduce(reduction);
   }
 
   template <int dim>
   void
   RigidBodyCoupling<dim>::take_reduced()
   {
-    counts.held += held_now;
+    counts.held += now.held;
+    counts.energy = now.contact_energy;
+    counts.depth  = std::max(counts.depth, now.contact_depth);
     counts.inside = 0;
-    auto hold     = holds_now.begin();
+    auto hold     = now.holds.begin();
     for (RigidBody<dim> &body : rigid_bodies.all())
       {
         if (body.contact().condition == ContactCondition::none)
@@ -194,7 +217,7 @@ namespace magmpm
   double
   RigidBodyCoupling<dim>::longest_push() const
   {
-    const bool any_pushed = std::any_of(holds_now.begin(), holds_now.end(), [](const auto &hold) {
+    const bool any_pushed = std::any_of(now.holds.begin(), now.holds.end(), [](const auto &hold) {
       return hold.n_held > 0;
     });
     return any_pushed ? largest_push * parameters.lattice.spacing : 0.;

@@ -64,6 +64,7 @@ namespace magmpm
   RigidBodyCoupling<dim>::end_row()
   {
     counts.deepest = 0.;
+    counts.depth   = 0.;
   }
 
   template <int dim>
@@ -90,6 +91,11 @@ namespace magmpm
   RigidBodyCoupling<dim>::add_columns(ColumnTable &table) const
   {
     table.add("held particles", "", [this] { return counts.held; });
+    if (solid_contact.has_surfaces())
+      {
+        table.add("contact energy", ColumnUnits<dim>::energy, [this] { return counts.energy; });
+        table.add("deepest contact", "m", [this] { return counts.depth; });
+      }
     const auto &sources = external_field.sources();
     for (std::size_t s = 0; s < sources.size(); ++s)
       if (sources[s]->has_place())
@@ -122,7 +128,7 @@ namespace magmpm
   SectionTitle
   RigidBodyCoupling<dim>::title() const
   {
-    return {"rigid bodies", 1};
+    return {"rigid bodies", 2};
   }
 
   template <int dim>

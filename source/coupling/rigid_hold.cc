@@ -1,47 +1,18 @@
+#include <magmpm/coupling/block_ball.h>
 #include <magmpm/coupling/rigid_hold.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace magmpm
 {
   namespace
   {
-    /** The ball around the places that particles of a block can have between two sorts. */
-    template <int dim>
-    struct Ball
-    {
-      Vector<dim> centre;
-      double radius;
-    };
-
-    template <int dim>
-    Ball<dim>
-    reach_of_block(const Lattice<dim> &lattice, const Index<dim> &block)
-    {
-      // Base nodes 0 .. 3, so positions from 0.5 to 4.5 dx, and a drift of one cell on every side.
-      Ball<dim> ball = {Vector<dim>(),
-                        (0.5 * block_edge + 1.) * lattice.spacing *
-                          std::sqrt(static_cast<double>(dim))};
-      for (int d = 0; d < dim; ++d)
-        ball.centre[d] = lattice.lower_corner[d] +
-                         (block_edge * block[d] + 0.5 * (block_edge + 1)) * lattice.spacing;
-      return ball;
-    }
-
     template <int dim>
     Ball<dim>
     reach_of_shape(const Shape<dim> &shape, const Pose<dim> &pose)
     {
       const BoundingBox<dim> box = shape.bounding_box();
       return {pose.to_world(0.5 * (box.lower + box.upper)), 0.5 * norm(box.upper - box.lower)};
-    }
-
-    template <int dim>
-    bool
-    overlap(const Ball<dim> &a, const Ball<dim> &b)
-    {
-      return norm_square(a.centre - b.centre) < (a.radius + b.radius) * (a.radius + b.radius);
     }
   } // namespace
 

@@ -19,6 +19,15 @@ namespace magmpm
                          "What material does at this face of the box; open: it passes.");
       else
         declarations.refuse(face_names[face], "this face needs Dimension = 3.");
+    for (std::size_t face = 0; face < face_names.size(); ++face)
+      if (face < walls.friction.size())
+        declarations.add(face_names[face] + " friction",
+                         walls.friction[face],
+                         "-",
+                         "Coulomb's coefficient of friction at this face, with slip or separate.",
+                         not_negative);
+      else
+        declarations.refuse(face_names[face] + " friction", "this face needs Dimension = 3.");
     declarations.add("Particles leaving the box",
                      walls.removes_leaving_particles,
                      {{"error", false}, {"remove", true}},

@@ -73,8 +73,11 @@ namespace magmpm
      */
     constexpr double small[] = {1. / 4., 1. / 16., 1. / 64.};
 
-    /** Where a part goes may depend on cells as far away as this: one for each, and that which it joins. */
-    constexpr int reach = 1 + std::extent_v<decltype(small)>;
+    /**
+     * Where a part goes, and whether there is one beyond its faces, may depend on cells as far away as this:
+     * one for each, that which it joins, and the one beyond.
+     */
+    constexpr int reach = 2 + std::extent_v<decltype(small)>;
 
     /** Parts of a box of cells, and which of them join which. */
     template <int dim>
@@ -99,7 +102,7 @@ namespace magmpm
             if (!(moments.volume > nothing * full))
               continue;
             number_of[cells.number(cell)] = static_cast<int>(all.size());
-            all.push_back({cell, moments});
+            all.push_back({cell, moments, {}});
             volumes.push_back(moments.volume / full);
           }
         while (cells.advance(cell));
@@ -131,7 +134,11 @@ namespace magmpm
         std::vector<CellPart<dim>> result;
         for (std::size_t p = 0; p < all.size(); ++p)
           if (is_left[p] && all[p].cell[along] >= begin && all[p].cell[along] < end)
-            result.push_back(all[p]);
+            {
+              result.push_back(all[p]);
+              for (int face = 0; face < 2 * dim; ++face)
+                result.back().is_exposed[face] = !has_part_beyond(all[p].cell, face);
+            }
         return result;
       }
 
@@ -141,6 +148,16 @@ namespace magmpm
       std::vector<CellPart<dim>> all;
       std::vector<double> volumes; ///< over that of a cell, before they are joined
       std::vector<bool> is_left;
+
+      bool
+      has_part_beyond(Index<dim> cell, const int face) const
+      {
+        cell[face / 2] += (face % 2 == 0 ? -1 : 1);
+        if (!cells.contains(cell))
+          return false;
+        const int other = number_of[cells.number(cell)];
+        return other >= 0 && is_left[other];
+      }
 
       /** The largest neighbour of a part that counts, of those across a face first; -1: there is none. */
       template <typename Counts>

@@ -13,7 +13,9 @@ namespace magmpm
                        is_magnetic ? dim : 0,
                        is_magnetic ? dim : 0,
                        is_magnetic ? dim : 0,
-                       is_magnetic ? dim : 0}
+                       is_magnetic ? dim : 0,
+                       stores_deformation_gradient ? n_symmetric_components<dim> : 0,
+                       stores_deformation_gradient ? 1 : 0}
   {
     int n = 0;
     for (int q = 0; q < n_particle_properties; ++q)
@@ -53,6 +55,8 @@ namespace magmpm
       assign(ParticleProperty::volume, &arrays.volume);
       assign(ParticleProperty::magnetic_acceleration, arrays.magnetic_acceleration);
       assign(ParticleProperty::magnetic_field, arrays.magnetic_field);
+      assign(ParticleProperty::half_extent, arrays.half_extent);
+      assign(ParticleProperty::exposed_faces, &arrays.exposed_faces);
       return arrays;
     }
   } // namespace

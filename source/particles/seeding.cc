@@ -50,6 +50,19 @@ namespace magmpm
         }
     }
 
+    template <int dim>
+    constexpr unsigned int all_faces = (1u << (2 * dim)) - 1;
+
+    /** What a particle of a solid fills of the undeformed body. */
+    template <int dim>
+    struct ParticleExtent
+    {
+      /** Symmetric: its columns go from the place of the particle to the sides of what it fills [m]. */
+      Matrix<dim> half;
+
+      unsigned int exposed_faces = 0; ///< a bit for each of -x, +x, -y, ..
+    };
+
     /** One more particle, undeformed, in the motion of its body about @p centre. */
     template <int dim>
     void
@@ -58,6 +71,7 @@ namespace magmpm
                  const std::uint64_t id,
                  const Vector<dim> &position,
                  const double volume,
+                 const ParticleExtent<dim> &extent,
                  ParticleSet<dim> &particles)
     {
       const std::size_t p = particles.size();
@@ -72,6 +86,11 @@ namespace magmpm
       const int n_deformation = particles.n_components(ParticleProperty::deformation);
       for (int c = 0; c < n_deformation; c += dim + 1)
         particles.component(ParticleProperty::deformation, c)[p] = 1.;
+      for (int i = 0, c = 0; c < particles.n_components(ParticleProperty::half_extent); ++i)
+        for (int j = 0; j <= i; ++j, ++c)
+          particles.component(ParticleProperty::half_extent, c)[p] = extent.half(i, j);
+      if (particles.n_components(ParticleProperty::exposed_faces) > 0)
+        particles.component(ParticleProperty::exposed_faces, 0)[p] = extent.exposed_faces;
     }
 
     /** A number of a particle is that of its body and one of these; below 2^53 messages hold it exactly. */
@@ -114,13 +133,18 @@ namespace magmpm
       const std::uint64_t n        = cloud.points.size();
       const std::uint64_t first_id = first_id_of(parameters, body_number, static_cast<double>(n));
       for (std::uint64_t i = n * rank / n_ranks; i < n * (rank + 1) / n_ranks; ++i)
-        add_particle(parameters,
-                     centre,
-                     first_id + i,
-                     cloud.points[i],
-                     cloud.volumes.empty() ? volume_without : cloud.volumes[i],
-                     particles);
+        {
+          const double volume = cloud.volumes.empty() ? volume_without : cloud.volumes[i];
+          add_particle(parameters,
+                       centre,
+                       first_id + i,
+                       cloud.points[i],
+                       volume,
+                       {0.5 * std::pow(volume, 1. / dim) * identity<dim>(), all_faces<dim>},
+                       particles);
+        }
     }
+
     /**
      * A position out of walls and obstacles: one that is behind a wall or a little inside an obstacle goes to
      * the nearest point of its surface. What is deeper in an obstacle than half a cell overlaps with it.
@@ -167,6 +191,8 @@ namespace magmpm
         for (const int parity : {0, 1})
           places[parity] =
             cell_places<dim>(rule, parameters.particles_per_edge, parameters.arrangement, parity);
+        for (const CellPlace<dim> &place : places[0])
+          to_face = std::min(to_face, 0.5 - place.position[0]);
       }
 
       /** @param first_id  that of the first place in the cell. */
@@ -194,6 +220,7 @@ namespace magmpm
                          id,
                          kept_clear(moments.centroid + map * local, lattice, obstacles),
                          place.weight * moments.volume,
+                         {to_face * map, exposed_faces(part, place)},
                          particles);
           }
       }
@@ -203,6 +230,21 @@ namespace magmpm
       const Lattice<dim> &lattice;
       const Vector<dim> centre;                          ///< of the body's motion [m]
       std::array<std::vector<CellPlace<dim>>, 2> places; ///< by parity
+      double to_face = 0.5;                              ///< from the outermost place of a cell [1]
+
+      /** Those of the part that a place is next to. */
+      unsigned int
+      exposed_faces(const CellPart<dim> &part, const CellPlace<dim> &place) const
+      {
+        unsigned int faces = 0;
+        for (int face = 0; face < 2 * dim; ++face)
+          {
+            const double outward = (face % 2 == 0 ? -1. : 1.) * place.position[face / 2];
+            if (part.is_exposed[face] && outward > 0.5 - to_face - 1e-9)
+              faces |= 1u << face;
+          }
+        return faces;
+      }
 
       int
       parity_of(const Index<dim> &cell) const

@@ -64,6 +64,7 @@ namespace magmpm
   DomainDecomposition<dim>::DomainDecomposition(const Parameters<dim> &parameters,
                                                 const MPI_Comm communicator)
     : lattice(parameters.lattice)
+    , open_faces(parameters.walls.open_faces())
     , communicator(communicator)
     , has_force(parameters.mesh.carries_potential)
     , background_mesh(communicator, parameters.lattice, parameters.mesh)
@@ -79,7 +80,7 @@ namespace magmpm
     std::string first_lost;
     for (Body<dim> &body : bodies)
       {
-        const std::vector<Departure<dim>> departed = remove_departed(lattice, body);
+        const std::vector<Departure<dim>> departed = remove_departed(lattice, open_faces, body);
         if (n_lost == 0 && !departed.empty())
           first_lost = describe(departed.front(), body.name);
         n_lost += departed.size();

@@ -80,10 +80,12 @@ namespace magmpm
   void
   LatticeMotion<dim>::update_velocity(const BlockPartition<dim> &partition,
                                       const LatticeBoundary<dim> &boundary,
+                                      SolidContact<dim> &contact,
                                       const double time_step)
   {
     update_lattice_momentum(partition.blocks(),
                             boundary,
+                            contact,
                             gravity,
                             time_step,
                             damping_rate,

@@ -11,16 +11,6 @@ namespace magmpm
     using Scope = parallel::PhaseTimer::Scope;
 
     template <int dim>
-    OpenFaces<dim>
-    open_faces(const WallParameters<dim> &walls)
-    {
-      OpenFaces<dim> open;
-      for (std::size_t face = 0; face < open.size(); ++face)
-        open[face] = (walls.condition[face] == WallCondition::open);
-      return open;
-    }
-
-    template <int dim>
     MagneticCouplingParameters<dim>
     magnetic_part(const Parameters<dim> &parameters)
     {
@@ -60,7 +50,7 @@ namespace magmpm
     , external_field(parameters.sources)
     , magnetic(magnetic_part(parameters), external_field, phase_timer, communicator)
     , holder(rigid_part(parameters), external_field, magnetic.state().reactions, communicator)
-    , fluids(parameters.lattice, open_faces(parameters.walls))
+    , fluids(parameters.lattice, parameters.walls.open_faces())
     , forces(parameters.forces)
     , lattice_motion(parameters)
   {
@@ -165,6 +155,7 @@ namespace magmpm
   {
     const Scope timed(phase_timer, "P2G");
     lattice_motion.sum_momentum(decomposition->partition(), state.clock.time_step, all_bodies);
+    holder.find_contact(decomposition->partition(), all_bodies);
   }
 
   template <int dim>
@@ -172,10 +163,15 @@ namespace magmpm
   Scene<dim>::update_lattice()
   {
     const Scope timed(phase_timer, "Update lattice");
-    lattice_motion.update_velocity(
-      decomposition->partition(), holder.lattice_boundary(), state.clock.time_step);
-    holder.collide(
-      state.clock, decomposition->blocks(), lattice_motion.typical_mass(), lattice_motion.field());
+    lattice_motion.update_velocity(decomposition->partition(),
+                                   holder.lattice_boundary(),
+                                   holder.contact(),
+                                   state.clock.time_step);
+    holder.collide(state.clock,
+                   decomposition->blocks(),
+                   lattice_motion.typical_mass(),
+                   lattice_motion.field(),
+                   lattice_motion.unconstrained_field());
     lattice_motion.finish(decomposition->partition(), state.clock.time_step, all_bodies);
   }
 
@@ -186,7 +182,7 @@ namespace magmpm
     const Scope timed(phase_timer, "G2P");
     std::vector<ParticleExtremes> extremes =
       lattice_motion.move_particles(decomposition->partition(), state.clock.time_step, all_bodies);
-    holder.hold_particles(decomposition->blocks(), open_faces(parameters.walls), all_bodies);
+    holder.hold_particles(decomposition->blocks(), parameters.walls.open_faces(), all_bodies);
     return extremes;
   }
 

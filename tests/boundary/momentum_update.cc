@@ -31,8 +31,9 @@ namespace
     double *lanes = field.node(blocks.slot(block_of<2>(node)), (node[0] & 3) + 4 * (node[1] & 3));
     std::copy(momentum_and_mass.begin(), momentum_and_mass.end(), lanes);
     NodeField<2> not_wanted;
+    SolidContact<2> no_contact(test_lattice(), WallParameters<2>(), no_bodies);
     update_lattice_momentum(
-      blocks, boundary, {{0., -10.}}, 0.01, damping_rate, 1., field, not_wanted);
+      blocks, boundary, no_contact, {{0., -10.}}, 0.01, damping_rate, 1., field, not_wanted);
     return {lanes[0], lanes[1], lanes[2], lanes[3]};
   }
 } // namespace

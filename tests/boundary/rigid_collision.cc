@@ -201,7 +201,10 @@ TEMPLATE_TEST_CASE_SIG("an impact of bodies and nodes conserves momentum and ang
         NodeField<dim> field              = random_nodes<dim>(blocks);
         const NodeField<dim> before_field = field;
         const auto before                 = momentum_and_energy(blocks, bodies, field);
-        collision.collide(blocks, boundary, 1e-3, 1., MPI_COMM_SELF, bodies, field);
+        const SolidContact<dim> no_contact(test_lattice<dim>(), walls, bodies);
+        NodeField<dim> not_wanted;
+        collision.collide(
+          blocks, boundary, no_contact, 1e-3, 1., MPI_COMM_SELF, bodies, field, not_wanted);
         const auto after = momentum_and_energy(blocks, bodies, field);
         CAPTURE(static_cast<int>(condition), mass, norm(before.first), before.second, after.second);
         CHECK(norm(after.first - before.first) < 1e-12 * (norm(before.first) + before.second));
@@ -252,8 +255,10 @@ TEST_CASE("a body that sticks to all material around moves with its mean velocit
   const double inertia          = bodies[0].inertia()(0, 0);
   const WallParameters<2> walls = all_walls<2>(WallCondition::open);
   const LatticeBoundary<2> boundary(test_lattice<2>(), walls, bodies);
+  const SolidContact<2> no_contact(test_lattice<2>(), walls, bodies);
+  NodeField<2> not_wanted;
   RigidCollision<2>(test_lattice<2>(), walls, bodies, 0.1)
-    .collide(blocks, boundary, 1e-3, 1., MPI_COMM_SELF, bodies, field);
+    .collide(blocks, boundary, no_contact, 1e-3, 1., MPI_COMM_SELF, bodies, field, not_wanted);
   CHECK(bodies[0].motion().velocity[0] == Approx(mass_inside / (mass_inside + 3.)));
   CHECK(bodies[0].motion().velocity[1] == Approx(2. * mass_inside / (mass_inside + 3.)));
   CHECK(bodies[0].motion().angular_velocity[0] ==
@@ -270,6 +275,7 @@ namespace
       : bodies(bodies_at_start)
       , walls(all_walls<dim>(condition))
       , boundary(test_lattice<dim>(), walls, bodies)
+      , no_contact(test_lattice<dim>(), walls, bodies)
       , collision(test_lattice<dim>(), walls, bodies, 0.05)
     {
     }
@@ -280,7 +286,8 @@ namespace
       for (std::size_t b = 0; b < bodies.size(); ++b)
         if (bodies[b].is_free())
           bodies[b].add_impulse((time_step * bodies[b].mass()) * accelerations[b], {});
-      collision.collide(blocks, boundary, time_step, 1., MPI_COMM_SELF, bodies, field);
+      collision.collide(
+        blocks, boundary, no_contact, time_step, 1., MPI_COMM_SELF, bodies, field, not_wanted);
       for (RigidBody<dim> &body : bodies)
         if (body.is_free())
           body.advance(time_step);
@@ -289,8 +296,9 @@ namespace
     std::vector<RigidBody<dim>> bodies;
     const WallParameters<dim> walls;
     const BlockSet<dim> blocks;
-    NodeField<dim> field;
+    NodeField<dim> field, not_wanted;
     const LatticeBoundary<dim> boundary;
+    const SolidContact<dim> no_contact;
     const RigidCollision<dim> collision;
   };
 

@@ -30,11 +30,23 @@ namespace magmpm
     Vector<dim>
     constrained(const Index<dim> &node, Vector<dim> velocity) const;
 
+    /** The velocity that walls leave to a node of solids: those that let go or slip are a matter of SolidContact. */
+    Vector<dim>
+    at_sticking_walls(const Index<dim> &node, const Vector<dim> &velocity) const;
+
     /** The speed of the fastest rigid body [m/s], which limits the time step as that of particles does. */
     double
     max_speed() const;
 
   private:
+    /** Whether a node lies on or beyond a face of the box. */
+    bool
+    is_at_wall(const Index<dim> &node, const int face) const
+    {
+      const int d = face / 2;
+      return face % 2 == 0 ? node[d] <= 0 : node[d] >= lattice.n_cells[d];
+    }
+
     const Lattice<dim> lattice;
     const WallParameters<dim> walls;
     const std::vector<RigidBody<dim>> &bodies;

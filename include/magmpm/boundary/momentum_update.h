@@ -1,6 +1,7 @@
 #pragma once
 
 #include <magmpm/boundary/lattice_boundary.h>
+#include <magmpm/boundary/solid_contact.h>
 #include <magmpm/lattice/block_set.h>
 #include <magmpm/lattice/node_field.h>
 
@@ -15,18 +16,22 @@ namespace magmpm
 
   /**
    * Momentum to velocity on the owned nodes, Eqs. (33), (34): v_i = (m v)_i/m_i + dt g, times
-   * exp(-rate dt) where there is damping, then the boundaries. The impulses of stress and magnetic force are in the momentum already. A node whose
-   * mass is below 1e-12 of @p typical_mass is left at rest: what it could give to a particle is
-   * below rounding.
+   * exp(-rate dt) where there is damping, then the boundaries. The impulses of stress and magnetic force are
+   * in the momentum already. A node whose mass is below 1e-12 of @p typical_mass is left at rest: what it
+   * could give to a particle is below rounding.
    *
+   * @param boundary       of nodes that are not those of @p contact.
+   * @param contact        of solids; its sums are those of this step, or it has none.
    * @param damping_rate   dv/dt = -rate v [1/s].
    * @param field          its momentum becomes velocity.
-   * @param unconstrained  on return the velocities without the boundaries; without blocks: not wanted.
+   * @param unconstrained  on return the velocities without what holds nodes, but with the pressure of contact, a
+   *                       force; without blocks: not wanted.
    */
   template <int dim>
   void
   update_lattice_momentum(const BlockSet<dim> &blocks,
                           const LatticeBoundary<dim> &boundary,
+                          SolidContact<dim> &contact,
                           const Vector<dim> &gravity,
                           const double time_step,
                           const double damping_rate,

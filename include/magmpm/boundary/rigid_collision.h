@@ -3,6 +3,7 @@
 #include <magmpm/boundary/lattice_boundary.h>
 #include <magmpm/boundary/rigid_body.h>
 #include <magmpm/boundary/rigid_contact.h>
+#include <magmpm/boundary/solid_contact.h>
 #include <magmpm/lattice/block_set.h>
 #include <magmpm/lattice/node_field.h>
 
@@ -28,7 +29,8 @@ namespace magmpm
    * bodies and nodes are conserved to rounding whatever the D_i are, energy never grows, and nothing
    * limits the ratio of the masses.
    *
-   * A node inside several free bodies belongs to the one that it is deepest in.
+   * A node inside several free bodies belongs to the one that it is deepest in. Nodes that SolidContact acts
+   * on are none of them: of these the bodies get the impulses, another b_0.
    */
   template <int dim>
   class RigidCollision
@@ -49,18 +51,22 @@ namespace magmpm
      *
      * @param bodies        those that were given to the constructor, the same on all ranks.
      * @param boundary      has the last word on the nodes.
+     * @param contact       what it gave to bodies on the ranks, they get.
      * @param typical_mass  nodes with less than 1e-12 of it are left alone [kg].
      * @param field         {velocity [m/s], mass [kg]}.
+     * @param unconstrained as of update_lattice_momentum().
      * @return iterations that it took.
      */
     int
     collide(const BlockSet<dim> &blocks,
             const LatticeBoundary<dim> &boundary,
+            const SolidContact<dim> &contact,
             const double time_step,
             const double typical_mass,
             const MPI_Comm communicator,
             std::vector<RigidBody<dim>> &bodies,
-            NodeField<dim> &field) const;
+            NodeField<dim> &field,
+            NodeField<dim> &unconstrained) const;
 
   private:
     const Lattice<dim> lattice;

@@ -2,6 +2,7 @@
 
 #include <magmpm/boundary/lattice_boundary.h>
 #include <magmpm/boundary/rigid_contact.h>
+#include <magmpm/boundary/solid_contact.h>
 #include <magmpm/boundary/surface_contact.h>
 #include <magmpm/lattice/block_set.h>
 #include <magmpm/lattice/lattice.h>
@@ -16,8 +17,12 @@ namespace magmpm
   class TouchedNodes
   {
   public:
-    /** Nodes with no more than @p negligible_mass [kg] do not count. */
+    /**
+     * The nodes inside bodies, apart from those that @p contact acts on, and those that it says are touched.
+     * Nodes with no more than @p negligible_mass [kg] do not count.
+     */
     TouchedNodes(const std::vector<RigidBody<dim>> &bodies,
+                 const SolidContact<dim> &contact,
                  const BlockSet<dim> &blocks,
                  const Lattice<dim> &lattice,
                  const double negligible_mass,
@@ -32,12 +37,18 @@ namespace magmpm
     void
     add_to(std::vector<RigidEquation<dim>> &equations) const;
 
-    /** Gives the nodes the velocities that contact leaves them; then @p boundary has its say. */
+    /**
+     * Gives the nodes the velocities that contact leaves them; then @p boundary has its say.
+     *
+     * @param unconstrained  gets them as well, before the boundary: the impulses of free bodies are forces, and
+     *                       nothing holds these nodes; without blocks: not wanted.
+     */
     void
     apply(const std::vector<RigidVector<dim>> &motions,
           const BlockSet<dim> &blocks,
           const LatticeBoundary<dim> &boundary,
-          NodeField<dim> &field) const;
+          NodeField<dim> &field,
+          NodeField<dim> &unconstrained) const;
 
   private:
     struct Node
@@ -49,7 +60,17 @@ namespace magmpm
       Vector<dim> velocity;    ///< before the impact [m/s]
       double mass;             ///< [kg]
       ContactShare share;
+      bool is_solid   = false; ///< pressed as SolidContact says, not by its being inside
+      bool is_held    = false; ///< of a solid: may not leave
+      double pressing = 0.;    ///< of a solid: normal impulse that it got already [N s]
     };
+
+    void
+    add_solids(const std::vector<RigidBody<dim>> &bodies,
+               const SolidContact<dim> &contact,
+               const BlockSet<dim> &blocks,
+               const Lattice<dim> &lattice,
+               const NodeField<dim> &field);
 
     /** Adds @p node if it lies inside one of the bodies @p near. */
     void

@@ -17,6 +17,17 @@ namespace magmpm
   struct WallParameters
   {
     std::array<WallCondition, 2 *dim> condition = {};
+    std::array<double, 2 *dim> friction = {}; ///< Coulomb's coefficient, of slip and separate
+
+    /** Which faces are no walls. */
+    std::array<bool, 2 * dim>
+    open_faces() const
+    {
+      std::array<bool, 2 *dim> open = {};
+      for (std::size_t face = 0; face < open.size(); ++face)
+        open[face] = (condition[face] == WallCondition::open);
+      return open;
+    }
 
     /** Whether particles that leave the box are removed; otherwise they end the run. */
     bool removes_leaving_particles = false;

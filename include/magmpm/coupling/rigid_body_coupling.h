@@ -3,12 +3,14 @@
 #include <magmpm/boundary/lattice_boundary.h>
 #include <magmpm/boundary/rigid_bodies.h>
 #include <magmpm/boundary/rigid_collision.h>
+#include <magmpm/boundary/solid_contact.h>
 #include <magmpm/coupling/clock.h>
 #include <magmpm/coupling/coupling.h>
 #include <magmpm/coupling/magnet_forces.h>
 #include <magmpm/coupling/rigid_hold.h>
 #include <magmpm/lattice/node_field.h>
 #include <magmpm/magnets/external_field.h>
+#include <magmpm/mesh/block_partition.h>
 #include <magmpm/particles/body.h>
 #include <magmpm/particles/box_faces.h>
 
@@ -37,6 +39,8 @@ namespace magmpm
     std::size_t inside = 0;  ///< in rigid bodies in the last step, all ranks
     std::size_t pushed = 0;  ///< out of rigid bodies so far, all ranks
     double deepest     = 0.; ///< of a particle in a rigid body since the last row, all ranks [m]
+    double energy      = 0.; ///< of contact of solids in the last step, all ranks [J]
+    double depth       = 0.; ///< of the deepest contact since the last row, all ranks [m]
 
     template <typename Archive>
     void
@@ -46,6 +50,36 @@ namespace magmpm
       archive &inside;
       archive &pushed;
       archive &deepest;
+      archive &energy;
+      archive &depth;
+    }
+  };
+
+  /** What rigid bodies and walls did in a step: on this rank, and after the sums over ranks on all. */
+  template <int dim>
+  struct HoldStep
+  {
+    int contact_is_near   = 1;         ///< a solid may touch a surface in the next step
+    double contact_energy = 0.;        ///< [J]
+    double contact_depth  = 0.;        ///< of the deepest contact [m]
+    std::size_t held      = 0;         ///< particles put back onto walls
+    std::vector<RigidHold<dim>> holds; ///< by body with a surface
+
+    void
+    reduce(parallel::Reduction &reduction)
+    {
+      reduction.max(contact_is_near);
+      reduction.sum(contact_energy);
+      reduction.max(contact_depth);
+      reduction.sum(held);
+      for (RigidHold<dim> &hold : holds)
+        {
+          reduction.sum(hold.n_inside);
+          reduction.sum(hold.n_held);
+          reduction.max(hold.deepest);
+          reduction.sum(hold.impulse);
+          reduction.sum(hold.angular_impulse);
+        }
     }
   };
 
@@ -77,18 +111,31 @@ namespace magmpm
       return boundary;
     }
 
+    /** Finds where solids touch surfaces, for contact(). Collective if they may do so on any rank. */
+    void
+    find_contact(const BlockPartition<dim> &partition, const std::vector<Body<dim>> &bodies);
+
+    /** What walls that slip or separate and rigid bodies do to solids. */
+    SolidContact<dim> &
+    contact()
+    {
+      return solid_contact;
+    }
+
     /**
      * Gives free bodies the impulses of gravity and magnetic force, and lets bodies and material collide.
      * Collective if there are free bodies.
      *
      * @param typical_particle_mass  [kg]
      * @param field                  {velocity [m/s], mass [kg]} on owned nodes.
+     * @param unconstrained          as of update_lattice_momentum().
      */
     void
     collide(const Clock &clock,
             const BlockSet<dim> &blocks,
             const double typical_particle_mass,
-            NodeField<dim> &field);
+            NodeField<dim> &field,
+            NodeField<dim> &unconstrained);
 
     /** Moves free bodies by a step with their momenta. */
     void
@@ -175,12 +222,12 @@ namespace magmpm
 
     RigidBodies<dim> rigid_bodies;
     const LatticeBoundary<dim> boundary;
+    SolidContact<dim> solid_contact;
     const RigidCollision<dim> collision;
     mutable MagnetForces<dim> magnet_forces; ///< remembers what sources do to each other
     std::vector<ForceAndTorque<dim>> forces_of_row;
 
     HoldCounts counts;
-    std::size_t held_now = 0;              ///< onto walls in this step
-    std::vector<RigidHold<dim>> holds_now; ///< by body with a surface, in this step
+    HoldStep<dim> now; ///< in this step
   };
 } // namespace magmpm

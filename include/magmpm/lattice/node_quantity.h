@@ -87,12 +87,62 @@ namespace magmpm
   };
 
   /**
+   * What solids near surfaces leave on nodes, so that contact acts where they touch (solid_contact.h): sums
+   * over particles of N_i e^(-s/eps) and N_i e^(-s/eps) s, with the gap s of a particle; and of
+   * J V_0 grad N_i, N_i m, N_i J V_0 and N_i J V_0 (lambda + 2 mu).
+   */
+  struct ContactSums
+  {
+    /** Of the gaps to the walls across an axis; to the nearest rigid body. */
+    static constexpr int nearest_body = 3;
+
+    static constexpr NodeScalar<ContactSums>
+    weight(const int surface)
+    {
+      return {2 * surface};
+    }
+
+    /** [m] */
+    static constexpr NodeScalar<ContactSums>
+    weighted_gap(const int surface)
+    {
+      return {2 * surface + 1};
+    }
+
+    static constexpr NodeVector<ContactSums> volume_gradient = {8};  ///< outward [m^(dim-1)]
+    static constexpr NodeScalar<ContactSums> mass            = {11}; ///< of solids [kg]
+    static constexpr NodeScalar<ContactSums> volume          = {12}; ///< [m^dim]
+    static constexpr NodeScalar<ContactSums> stiffness       = {13}; ///< [Pa m^dim]
+
+    /** With the weights of the nearest body: normal n, and distance d less n.x, of the plane of the surface. */
+    static constexpr NodeVector<ContactSums> normal = {14};
+    static constexpr NodeScalar<ContactSums> plane  = {17}; ///< [m]
+
+    template <typename Function>
+    static constexpr void
+    for_each(Function &&f)
+    {
+      for (int surface = 0; surface <= nearest_body; ++surface)
+        {
+          f(weight(surface));
+          f(weighted_gap(surface));
+        }
+      f(volume_gradient);
+      f(mass);
+      f(volume);
+      f(stiffness);
+      f(normal);
+      f(plane);
+    }
+  };
+
+  /**
    * What the lanes of a node hold, for what treats all fields alike: the exchange between ranks, images
    * behind walls, filters.
    */
   struct NodeLayout
   {
-    static constexpr int max_lanes = 16;
+    static constexpr int max_lanes = 20;
 
     /** A number for each lane: the component of a vector, or one of these. */
     static constexpr int unused = -2, scalar = -1;

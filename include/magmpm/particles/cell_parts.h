@@ -40,6 +40,9 @@ namespace magmpm
   {
     Index<dim> cell;
     RegionMoments<dim> moments; ///< about the middle of the cell
+
+    /** Whether there is no part in the cell beyond a face, -x, +x, -y, ... */
+    std::array<bool, 2 *dim> is_exposed = {};
   };
 
   /**
@@ -47,7 +50,7 @@ namespace magmpm
    * is not and has most volume, of those across a face if there is one. Where a body is thinner, with no such
    * neighbour, parts smaller than a sixteenth of a cell join one that is not, in the same way, and then
    * those smaller than a 64th; all others stay, so that a body never vanishes. A part depends on the shape
-   * within four cells of it, and on nothing else.
+   * within five cells of it, and on nothing else.
    *
    * @param along      ranks share the cells by layers across this axis.
    * @param layers     the first layer of this rank and the one after its last, counted from the first cell

@@ -21,10 +21,16 @@ namespace magmpm
     magnetic_acceleration,
     magnetic_acceleration_rate, ///< see carried_force.h
     magnetic_field,             ///< H at the last solve
-    position_at_solve           ///< of the potential
+    position_at_solve,          ///< of the potential
+    half_extent, ///< of solids: how far it fills its surroundings, undeformed; see ParticleExtent
+    exposed_faces ///< of solids: sum of 2^face over the sides on which nothing of the body was next to it
   };
 
-  inline constexpr int n_particle_properties = 10;
+  inline constexpr int n_particle_properties = 12;
+
+  /** Numbers of a symmetric matrix: the lower triangle, by rows. */
+  template <int dim>
+  inline constexpr int n_symmetric_components = dim *(dim + 1) / 2;
 
   /**
    * The arrays of a particle set as the kernels see them: one pointer per component.
@@ -40,8 +46,10 @@ namespace magmpm
     Number *deformation[dim * dim]; ///< only the first one if the deformation is J
     Number *mass;
     Number *volume;
-    Number *magnetic_acceleration[dim]; ///< null without magnetic material
-    Number *magnetic_field[dim];        ///< null without magnetic material
+    Number *magnetic_acceleration[dim];               ///< null without magnetic material
+    Number *magnetic_field[dim];                      ///< null without magnetic material
+    Number *half_extent[n_symmetric_components<dim>]; ///< null of fluids
+    Number *exposed_faces;                            ///< likewise
   };
 
   /**

@@ -86,6 +86,7 @@ namespace magmpm
     migrate_to_owners(const OccupiedBlocks<dim> &occupied, std::vector<Body<dim>> &bodies) const;
 
     const Lattice<dim> lattice;
+    const OpenFaces<dim> open_faces;
     const MPI_Comm communicator;
     const bool has_force; ///< of magnets
     BackgroundMesh<dim> background_mesh;

@@ -35,6 +35,7 @@ namespace magmpm
     void
     update_velocity(const BlockPartition<dim> &partition,
                     const LatticeBoundary<dim> &boundary,
+                    SolidContact<dim> &contact,
                     const double time_step);
 
     /** {velocity [m/s], mass [kg]}. */
@@ -42,6 +43,13 @@ namespace magmpm
     field()
     {
       return motion;
+    }
+
+    /** See update_lattice_momentum(); without blocks if nobody wants it. */
+    NodeField<dim> &
+    unconstrained_field()
+    {
+      return unconstrained;
     }
 
     /** A node whose mass is next to nothing beside this one is left alone [kg]. */
