@@ -13,6 +13,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <verification/mechanics/cantilever.h>
+#include <verification/mechanics/contact.h>
 #include <verification/mechanics/free_beam.h>
 
 #include <algorithm>
@@ -178,6 +179,103 @@ namespace
        }});
   }
 
+  /** A block of 8 cells onto a wall and onto bodies at three places, with long and short steps. */
+  std::vector<Value>
+  rebounds(const int dim)
+  {
+    const std::string name = "rebound " + std::to_string(dim) + "D, ";
+    std::vector<Value> values;
+    double least = 1., largest = 0., below = 0., rise = 0.;
+    for (const Ground ground : {Ground::wall, Ground::body})
+      for (const double offset : {0., 0.31, 0.5})
+        for (const double factor :
+             dim == 2 ? std::vector<double>{0.4, 0.1, 0.02} : std::vector<double>{0.4, 0.1})
+          {
+            Impact at;
+            at.dim                    = dim;
+            at.ground                 = ground;
+            at.offset                 = offset;
+            at.elastic_factor         = factor;
+            const ImpactResult result = impact(at);
+            least                     = std::min(least, result.rebound);
+            largest                   = std::max(largest, result.rebound);
+            below                     = std::max(below, -result.first_gap - result.way);
+            rise                      = std::max(rise, result.rise);
+          }
+    values.push_back({name + "least", least, largest});
+    values.push_back({name + "largest over least - 1", largest / least - 1., 0.015});
+    values.push_back({name + "first depth less the way of a step [dx]", below, 0.02});
+    values.push_back({name + "sum of energies above its start", rise, 0.01});
+    return values;
+  }
+
+  std::vector<Value>
+  finer_and_faster_impacts()
+  {
+    std::vector<Value> values;
+    for (const double offset : {0., 0.31, 0.5})
+      {
+        Impact fine;
+        fine.cells  = 16;
+        fine.offset = offset;
+        values.push_back({"rebound 2D, 16 cells, offset " + to_text(offset) + ", over 0.76 - 1",
+                          std::abs(impact(fine).rebound / 0.76 - 1.),
+                          0.04});
+        Impact fast;
+        fast.speed  = 0.6;
+        fast.offset = offset;
+        values.push_back({"impact at 0.6 c, offset " + to_text(offset) + ", depth [dx]",
+                          impact(fast).deepest,
+                          0.6});
+      }
+    return values;
+  }
+
+  std::vector<Value>
+  inclines(const int dim)
+  {
+    std::vector<Value> values;
+    for (const Ground ground : {Ground::wall, Ground::body})
+      for (const double offset : {0., 0.31, 0.5})
+        {
+          const std::string name = "incline " + std::to_string(dim) + "D, " +
+                                   (ground == Ground::wall ? "wall" : "body") + ", offset " +
+                                   to_text(offset) + ", ";
+          Incline incline;
+          incline.dim    = dim;
+          incline.ground = ground;
+          incline.offset = offset;
+          values.push_back({name + "no friction", std::abs(slide(incline).way), 0.01});
+          incline.friction = 0.15;
+          values.push_back({name + "friction 0.15", std::abs(slide(incline).way), 0.025});
+          incline.friction     = 0.5;
+          incline.damping_rate = 2.;
+          values.push_back(
+            {name + "friction 0.5, creep [dx]", std::abs(slide(incline).creep), 0.001});
+        }
+    return values;
+  }
+
+  void
+  add_contacts(std::vector<Case> &cases)
+  {
+    for (const int dim : {2, 3})
+      {
+        cases.push_back({"rebound " + std::to_string(dim) + "D", [dim] { return rebounds(dim); }});
+        cases.push_back({"incline " + std::to_string(dim) + "D", [dim] { return inclines(dim); }});
+      }
+    cases.push_back({"rebound 2D, 16 cells; impact", [] { return finer_and_faster_impacts(); }});
+    cases.push_back({"cube on ball", []() -> std::vector<Value> {
+                       std::vector<Value> values;
+                       for (const double factor : {0.4, 0.1})
+                         values.push_back(
+                           {"cube on ball, rise of the energy at factor " + to_text(factor),
+                            energy_rise_on_ball(factor),
+                            0.02});
+                       return values;
+                     }});
+  }
+
   void
   run_program(const std::vector<std::string> &arguments)
   {
@@ -199,6 +297,7 @@ namespace
     add_cantilevers(transfer, cases);
     add_v_beams(transfer, cases);
     add_losses(transfer, cases);
+    add_contacts(cases);
     if (csv)
       std::cout << "name,value,limit\n";
     else
