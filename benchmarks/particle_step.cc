@@ -61,14 +61,20 @@ namespace
                       block.bodies[0].material);
   }
 
-  /** Measures both codes on a block and prints what they took. */
+  /**
+   * Measures both codes on a block and prints what they took.
+   *
+   * @param smoothed  the same block of a nearly incompressible solid, to be measured beside it.
+   */
   Cost
-  measure(const FallingBlock &block, const StepOptions &options)
+  measure(const FallingBlock &block,
+          const StepOptions &options,
+          const FallingBlock *const smoothed = nullptr)
   {
     const std::size_t n_particles = block.bodies[0].particles.size();
     const MemoryGrowth memory;
     const auto kernels = make_kernel_step(block);
-    std::vector<PhaseTimes> kernel_times, plain_times, fmpm_times;
+    std::vector<PhaseTimes> kernel_times, plain_times, fmpm_times, smoothed_times;
     time_of_steps(*kernels, options.steps);
     const double bytes = memory.bytes() / static_cast<double>(n_particles);
     const auto plain   = make_plain_step(block);
@@ -76,12 +82,18 @@ namespace
     const auto fmpm = is_solid(block) ? make_kernel_step(block, Transfer::fmpm) : nullptr;
     if (fmpm)
       time_of_steps(*fmpm, options.steps);
+    const auto smoothed_fmpm = smoothed != nullptr ? make_kernel_step(*smoothed, Transfer::fmpm)
+                                                   : nullptr;
+    if (smoothed_fmpm)
+      time_of_steps(*smoothed_fmpm, options.steps);
     for (int n = 0; n < options.repeats; ++n)
       {
         plain_times.push_back(time_of_steps(*plain, options.steps));
         kernel_times.push_back(time_of_steps(*kernels, options.steps));
         if (fmpm)
           fmpm_times.push_back(time_of_steps(*fmpm, options.steps));
+        if (smoothed_fmpm)
+          smoothed_times.push_back(time_of_steps(*smoothed_fmpm, options.steps));
       }
 
     std::printf(
@@ -91,10 +103,12 @@ namespace
     std::printf(" | %13s\n", "all");
     const double per_step = 1e9 / (static_cast<double>(n_particles) * options.steps);
     Cost cost;
-    cost.plain   = print_row("plain loop", plain_times, per_step);
-    cost.kernels = print_row("magmpm", kernel_times, per_step);
-    if (fmpm)
-      print_row("magmpm, FMPM", fmpm_times, per_step);
+    cost.plain             = print_row("plain loop", plain_times, per_step);
+    cost.kernels           = print_row("magmpm", kernel_times, per_step);
+    const double fmpm_cost = fmpm ? print_row("magmpm, FMPM", fmpm_times, per_step) : 0.;
+    if (smoothed_fmpm)
+      std::printf("nearly incompressible over FMPM %.3f\n",
+                  print_row("nu = 0.49", smoothed_times, per_step) / fmpm_cost);
     std::printf("ratio %.3f; %.0f B of memory per particle\n", cost.kernels / cost.plain, bytes);
     std::fflush(stdout);
     return cost;
@@ -114,7 +128,8 @@ namespace
     std::vector<Cost> cube_costs;
     for (const double n_particles : options.particles)
       {
-        cube_costs.push_back(measure(elastic_cube(n_particles), options));
+        const FallingBlock smoothed = elastic_cube(n_particles, 0.49);
+        cube_costs.push_back(measure(elastic_cube(n_particles), options, &smoothed));
         measure(fluid_block(n_particles), options);
       }
     if (cube_costs.size() > 1)

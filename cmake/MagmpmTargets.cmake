@@ -84,7 +84,7 @@ endfunction()
 set(kernel_options -fno-math-errno -fno-trapping-math)
 magmpm_file_options("${kernel_options}" lattice/block_set materials/magnetization_curve
                     particles/magnetic_transfer particles/particle_grid_transfer
-                    particles/velocity_filter)
+                    particles/smoothed_volume particles/velocity_filter)
 
 # These evaluate the laws of the medium, or integrals round rings, in SIMD lanes, which sqrt leaves
 # where it may set errno.

@@ -1,3 +1,4 @@
+#include <magmpm/materials/parameter_conversion.h>
 #include <magmpm/particles/seeding.h>
 
 #include <particle_step/falling_block.h>
@@ -43,13 +44,13 @@ namespace magmpm::benchmarks
   } // namespace
 
   FallingBlock
-  elastic_cube(const double n_particles)
+  elastic_cube(const double n_particles, const double poisson_ratio)
   {
-    // Young's modulus 1e5 Pa, Poisson's ratio 0.3.
+    const LameModuli moduli = lame_moduli(1e5, poisson_ratio);
     MaterialParameters material;
     material.law           = MechanicalLaw::neo_hookean;
-    material.shear_modulus = 1e5 / 2.6;
-    material.lame_lambda   = 1e5 * 0.3 / (1.3 * 0.4);
+    material.shear_modulus = moduli.shear_modulus;
+    material.lame_lambda   = moduli.lame_lambda;
     return falling_block("elastic cube", n_particles, material, 2500.);
   }
 

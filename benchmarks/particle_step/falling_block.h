@@ -21,10 +21,11 @@ namespace magmpm::benchmarks
    * The cube of the paper: neo-Hookean, 8 jittered particles a cell of dx = 1/128 m, one cell above
    * the floor, at 1 m/s downward.
    *
-   * @param n_particles  about as many; 110,592 are 24 cells along an edge.
+   * @param n_particles    about as many; 110,592 are 24 cells along an edge.
+   * @param poisson_ratio  above 0.45 volumes are smoothed, see smoothed_volume.h.
    */
   FallingBlock
-  elastic_cube(const double n_particles);
+  elastic_cube(const double n_particles, const double poisson_ratio = 0.3);
 
   /** A block of viscous fluid of the same shape. */
   FallingBlock

@@ -1,6 +1,7 @@
 #include <magmpm/boundary/momentum_update.h>
 #include <magmpm/particles/particle_grid_transfer.h>
 #include <magmpm/particles/particle_sort.h>
+#include <magmpm/particles/smoothed_volume.h>
 #include <magmpm/particles/velocity_filter.h>
 
 #include <verification/particles/random_bodies.h>
@@ -74,8 +75,11 @@ namespace magmpm::benchmarks
               if (bodies[0].transfer == Transfer::fmpm)
                 for (NodeField<3> *wanted : {&unconstrained, &filtered, &taken})
                   wanted->reinit(blocks.size());
+              if (!smoothed_materials(bodies).empty())
+                strain.reinit(blocks.size());
               return field.reinit(blocks.size());
             case Phase::p2g:
+              smooth_volume();
               return particles_to_lattice(bodies, blocks, lattice, time_step, field);
             case Phase::lattice:
               return update_lattice();
@@ -85,6 +89,17 @@ namespace magmpm::benchmarks
       }
 
     private:
+      void
+      smooth_volume()
+      {
+        for (const LameModuli &moduli : smoothed_materials(bodies))
+          {
+            sum_strain(bodies, moduli, blocks, lattice, strain);
+            divide_by_weight(blocks, strain);
+            find_smoothing_stress(strain, moduli, blocks, lattice, bodies);
+          }
+      }
+
       void
       update_lattice()
       {
@@ -123,6 +138,7 @@ namespace magmpm::benchmarks
       BlockSet<3> blocks;
       NodeField<3> field;
       NodeField<3> unconstrained, filtered, taken; // without blocks for APIC
+      NodeField<3, NodeStrain> strain;             // without blocks unless nearly incompressible
     };
   } // namespace
 

@@ -9,7 +9,9 @@ namespace magmpm
     , material(make_material<dim>(material, parameters.density))
     , magnetic(material.magnetic)
     , transfer(material.transfer)
-    , particles(material.law == MechanicalLaw::neo_hookean, material.magnetic.is_magnetic())
+    , particles(material.law == MechanicalLaw::neo_hookean,
+                material.magnetic.is_magnetic(),
+                smoothed_modulus(this->material) > 0.)
   {
   }
 

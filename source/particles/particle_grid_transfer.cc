@@ -41,12 +41,18 @@ namespace magmpm
       add_arrays(particles.magnetic_acceleration, first, next);
       next.add(particles.mass + first);
       next.add(particles.volume + first);
+      if (particles.smoothing_stress != nullptr)
+        next.add(particles.smoothing_stress + first);
       next.finish();
       return next;
     }
 
-    /** The impulse of the stress over a step times the length 1/dx of gradients: -dt V_0 tau/dx. */
-    template <int dim, typename Law, typename Place>
+    /**
+     * The impulse of the stress over a step times the length 1/dx of gradients: -dt V_0 tau/dx.
+     *
+     * @tparam is_smoothed  with the part of the stress that smoothed_volume.h found.
+     */
+    template <bool is_smoothed, int dim, typename Law, typename Place>
     inline Matrix<dim, SimdDouble>
     stress_impulse(const ParticleRun<dim> &run,
                    const Law &law,
@@ -55,7 +61,15 @@ namespace magmpm
                    const Place place)
     {
       const SimdDouble factor = (-time_step / run.spacing) * load(run.particles.volume, place);
-      return factor * law.kirchhoff_stress(load_state<dim, Law>(run.particles, place), affine);
+      Matrix<dim, SimdDouble> stress =
+        law.kirchhoff_stress(load_state<dim, Law>(run.particles, place), affine);
+      if constexpr (is_smoothed)
+        {
+          const SimdDouble added = load(run.particles.smoothing_stress, place);
+          for (int i = 0; i < dim; ++i)
+            stress(i, i) += added;
+        }
+      return factor * stress;
     }
 
     /** The columns of a matrix of particles, number @p p of the batch on, for the gradients of P2G. */
@@ -73,7 +87,7 @@ namespace magmpm
     }
 
     /** Mass and momentum of the particles at @p place, number @p p of the batch, and their stress. */
-    template <int dim, typename Law, typename Place>
+    template <bool is_smoothed, int dim, typename Law, typename Place>
     inline void
     momentum_of_particles(const ParticleRun<dim> &run,
                           const StencilBatch<dim> &stencils,
@@ -87,8 +101,9 @@ namespace magmpm
       const auto &particles                = run.particles;
       const Matrix<dim, SimdDouble> affine = load_matrix<dim>(particles.affine_velocity, place);
       const SimdDouble mass                = load(particles.mass, place);
-      const Matrix<dim, SimdDouble> stress = stress_impulse(run, law, time_step, affine, place);
-      Matrix<dim, SimdDouble> slope        = (run.spacing * mass) * affine;
+      const Matrix<dim, SimdDouble> stress =
+        stress_impulse<is_smoothed>(run, law, time_step, affine, place);
+      Matrix<dim, SimdDouble> slope = (run.spacing * mass) * affine;
       if constexpr (Law::stores_deformation_gradient)
         store_gradient(stress, p, gradients);
       else
@@ -99,7 +114,7 @@ namespace magmpm
       store_linear(stencils, mass, mass * velocity, slope, p, batch);
     }
 
-    template <int dim, typename Law>
+    template <bool is_smoothed, int dim, typename Law>
     [[gnu::flatten]] void
     scatter_momentum(const ParticleRun<dim> &run,
                      const Law &law,
@@ -115,7 +130,8 @@ namespace magmpm
         if constexpr (Law::stores_deformation_gradient)
           find_slopes(stencils, n, slopes);
         for_each_lanes(first, n, [&](const auto place, const int p) {
-          momentum_of_particles(run, stencils, law, time_step, place, p, batch, gradients);
+          momentum_of_particles<is_smoothed>(
+            run, stencils, law, time_step, place, p, batch, gradients);
         });
         const Prefetch<batch_size> next = prefetch_of_momentum<dim>(run.particles,
                                                                     first + batch_size);
@@ -275,7 +291,11 @@ namespace magmpm
       [&](const std::size_t b, const ParticleRun<dim> &run) {
         std::visit(
           [&](const auto &law) {
-            scatter_momentum(run, law.template with_number<SimdDouble>(), time_step, arena.data());
+            const auto law_of_lanes = law.template with_number<SimdDouble>();
+            if constexpr (law_of_lanes.stores_deformation_gradient)
+              if (run.particles.smoothing_stress != nullptr)
+                return scatter_momentum<true>(run, law_of_lanes, time_step, arena.data());
+            scatter_momentum<false>(run, law_of_lanes, time_step, arena.data());
           },
           bodies[b].material);
       },

@@ -3,7 +3,9 @@
 namespace magmpm
 {
   template <int dim>
-  ParticleSet<dim>::ParticleSet(const bool stores_deformation_gradient, const bool is_magnetic)
+  ParticleSet<dim>::ParticleSet(const bool stores_deformation_gradient,
+                                const bool is_magnetic,
+                                const bool smooths_volume)
     : component_counts{dim,
                        dim,
                        dim * dim,
@@ -15,7 +17,8 @@ namespace magmpm
                        is_magnetic ? dim : 0,
                        is_magnetic ? dim : 0,
                        stores_deformation_gradient ? n_symmetric_components<dim> : 0,
-                       stores_deformation_gradient ? 1 : 0}
+                       stores_deformation_gradient ? 1 : 0,
+                       smooths_volume ? 1 : 0}
   {
     int n = 0;
     for (int q = 0; q < n_particle_properties; ++q)
@@ -57,6 +60,7 @@ namespace magmpm
       assign(ParticleProperty::magnetic_field, arrays.magnetic_field);
       assign(ParticleProperty::half_extent, arrays.half_extent);
       assign(ParticleProperty::exposed_faces, &arrays.exposed_faces);
+      assign(ParticleProperty::smoothing_stress, &arrays.smoothing_stress);
       return arrays;
     }
   } // namespace

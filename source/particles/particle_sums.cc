@@ -105,6 +105,22 @@ namespace magmpm
         add_magnetics(particles, setting, volume_ratio, place, sums);
     }
 
+    /** What smoothed_volume.h makes of the elastic energy [J]: sum of V_0/2 ln J times the smoothing stress. */
+    template <int dim, typename Law>
+    double
+    energy_of_smoothing(const ParticleArrays<dim, const double> &particles,
+                        const std::size_t n_particles,
+                        const Law &law)
+    {
+      double energy = 0.;
+      if constexpr (Law::stores_deformation_gradient)
+        if (particles.smoothing_stress != nullptr)
+          for (std::size_t p = 0; p < n_particles; ++p)
+            energy += 0.5 * particles.volume[p] * particles.smoothing_stress[p] *
+                      std::log(law.volume_ratio(load_state<dim, Law>(particles, p)));
+      return energy;
+    }
+
     /** Takes the members of one lane. */
     struct LaneTaker
     {
@@ -217,6 +233,7 @@ namespace magmpm
           sums += lane_of(sums_of_lanes, lane);
         for (; p < n; ++p)
           add_particles(particles, law, setting, p, sums);
+        sums.elastic_energy += energy_of_smoothing<dim>(particles, n, law);
       },
       body.material);
     take_roots(sums);

@@ -1,4 +1,5 @@
 #include <magmpm/boundary/momentum_update.h>
+#include <magmpm/particles/make_material.h>
 #include <magmpm/particles/velocity_filter.h>
 #include <magmpm/simulation/lattice_motion.h>
 
@@ -41,6 +42,17 @@ namespace magmpm
           return parameters.material_of(body).transfer == Transfer::fmpm;
         });
     }
+
+    template <int dim>
+    bool
+    wants_smoothing(const Parameters<dim> &parameters)
+    {
+      return std::any_of(
+        parameters.bodies.begin(), parameters.bodies.end(), [&](const BodyParameters<dim> &body) {
+          return smoothed_modulus(make_material<dim>(parameters.material_of(body), body.density)) >
+                 0.;
+        });
+    }
   } // namespace
 
   template <int dim>
@@ -51,6 +63,7 @@ namespace magmpm
     , particle_mass(typical_particle_mass(parameters))
     , sticking_walls(walls_to_stick_to(parameters))
     , is_filtered(wants_filter(parameters))
+    , smooths_volume(wants_smoothing(parameters))
   {
   }
 
@@ -59,6 +72,8 @@ namespace magmpm
   LatticeMotion<dim>::reinit(const int n_blocks)
   {
     motion.reinit(n_blocks);
+    if (smooths_volume)
+      strain.reinit(n_blocks);
     if (!is_filtered)
       return;
     unconstrained.reinit(n_blocks);
@@ -68,10 +83,29 @@ namespace magmpm
 
   template <int dim>
   void
+  LatticeMotion<dim>::smooth_volume(const BlockPartition<dim> &partition,
+                                    std::vector<Body<dim>> &bodies)
+  {
+    if (!smooths_volume)
+      return;
+    const BlockSet<dim> &blocks = partition.blocks();
+    for (const LameModuli &moduli : smoothed_materials(bodies))
+      {
+        sum_strain(bodies, moduli, blocks, lattice, strain);
+        partition.add_ghosts_to_owners(strain);
+        divide_by_weight(blocks, strain);
+        partition.update_ghosts(strain);
+        find_smoothing_stress(strain, moduli, blocks, lattice, bodies);
+      }
+  }
+
+  template <int dim>
+  void
   LatticeMotion<dim>::sum_momentum(const BlockPartition<dim> &partition,
                                    const double time_step,
                                    std::vector<Body<dim>> &bodies)
   {
+    smooth_volume(partition, bodies);
     particles_to_lattice(bodies, partition.blocks(), lattice, time_step, motion);
     sum(partition, motion);
   }

@@ -23,6 +23,7 @@ namespace magmpm
   {
     state.sums.clear();
     state.fewest_particles = 0.;
+    lattice_motion.smooth_volume(decomposition->partition(), all_bodies);
     for (const Body<dim> &body : all_bodies)
       {
         state.sums.push_back(particle_sums(

@@ -57,7 +57,33 @@ namespace magmpm::verification
           particles.component(ParticleProperty::velocity, d)[p] = parameters.frame_velocity[d];
       }
     speed_of_sound = undeformed_wave_speed(bodies[0].material);
-    way            = lattice.spacing;
+    sort();
+  }
+
+  template <int dim>
+  void
+  FreeSolid<dim>::sort()
+  {
+    const bool is_filtered = (parameters.transfer == Transfer::fmpm);
+    blocks                 = active_blocks(bodies, lattice);
+    sort_all(blocks, lattice, bodies);
+    motion.reinit(blocks.size());
+    filtered.reinit(is_filtered ? blocks.size() : 0);
+    taken.reinit(is_filtered ? blocks.size() : 0);
+    strain.reinit(blocks.size());
+    way = 0.;
+  }
+
+  template <int dim>
+  void
+  FreeSolid<dim>::smooth_volume()
+  {
+    for (const LameModuli &moduli : smoothed_materials(bodies))
+      {
+        sum_strain(bodies, moduli, blocks, lattice, strain);
+        divide_by_weight(blocks, strain);
+        find_smoothing_stress(strain, moduli, blocks, lattice, bodies);
+      }
   }
 
   template <int dim>
@@ -82,6 +108,13 @@ namespace magmpm::verification
     const std::function<Matrix<dim>(const Vector<dim> &, const Matrix<dim> &)> &stress)
   {
     stress_from_outside = stress;
+  }
+
+  template <int dim>
+  void
+  FreeSolid<dim>::set_grips(const std::function<Grips(double, double)> &grips)
+  {
+    grips_at = grips;
   }
 
   template <int dim>
@@ -131,20 +164,45 @@ namespace magmpm::verification
   }
 
   template <int dim>
+  typename FreeSolid<dim>::Effect
+  FreeSolid<dim>::drive(const Grips &grips, NodeField<dim> &velocity) const
+  {
+    Effect effect;
+    for_nodes(blocks, [&](const int slot, const int n) {
+      const double x = lattice.node_position(node_of_block<dim>(blocks.block(slot), n))[0];
+      if (x > grips.lower && x < grips.upper)
+        return;
+      const double side    = (x >= grips.upper ? 1. : -1.);
+      Vector<dim> v        = velocity.get(NodeMotion::velocity, slot, n);
+      const double mass    = motion.get(NodeMotion::mass, slot, n);
+      const double impulse = mass * (side * grips.speed - v[0]);
+      v[0]                 = side * grips.speed;
+      effect.work += impulse * v[0];
+      effect.impulse += side * impulse;
+      velocity.set(NodeMotion::velocity, slot, n, v);
+    });
+    return effect;
+  }
+
+  template <int dim>
+  void
+  FreeSolid<dim>::filter(const double time_step)
+  {
+    filter_velocity(bodies, {1.}, blocks, lattice, motion, filtered);
+    divide(motion, filtered);
+    give_back(
+      blocks, share_given_back(bodies[0], lattice.spacing, time_step), motion, filtered, taken);
+  }
+
+  template <int dim>
   void
   FreeSolid<dim>::step()
   {
     const bool is_filtered = (parameters.transfer == Transfer::fmpm);
     const double dt = parameters.elastic_factor * lattice.spacing / (speed_of_sound + max_speed);
     if (way + max_speed * dt > 0.5 * lattice.spacing)
-      {
-        blocks = active_blocks(bodies, lattice);
-        sort_all(blocks, lattice, bodies);
-        motion.reinit(blocks.size());
-        filtered.reinit(is_filtered ? blocks.size() : 0);
-        taken.reinit(is_filtered ? blocks.size() : 0);
-        way = 0.;
-      }
+      sort();
+    smooth_volume();
     particles_to_lattice(bodies, blocks, lattice, dt, motion);
     if (stress_from_outside)
       add_stress(dt);
@@ -157,12 +215,22 @@ namespace magmpm::verification
                  n,
                  parameters.frame_velocity + remaining * (velocity - parameters.frame_velocity));
     });
+    std::vector<Effect> effects;
+    const Grips grips = (grips_at ? grips_at(now, dt) : Grips());
+    if (grips_at)
+      effects.push_back(drive(grips, motion));
     if (is_filtered)
+      filter(dt);
+    if (grips_at && is_filtered)
       {
-        filter_velocity(bodies, {1.}, blocks, lattice, motion, filtered);
-        divide(motion, filtered);
-        give_back(
-          blocks, share_given_back(bodies[0], lattice.spacing, dt), motion, filtered, taken);
+        drive(grips, filtered); // moves nothing: P v is not the momentum of anything
+        effects.push_back(drive(grips, taken));
+      }
+    force = 0.;
+    for (const Effect &effect : effects)
+      {
+        work += effect.work;
+        force += 0.5 * effect.impulse / dt;
       }
     max_speed =
       lattice_to_particles<dim>({motion, filtered, taken}, blocks, lattice, dt, bodies)[0].speed;
@@ -172,8 +240,9 @@ namespace magmpm::verification
 
   template <int dim>
   double
-  FreeSolid<dim>::energy() const
+  FreeSolid<dim>::energy()
   {
+    smooth_volume();
     const ParticleSums<dim> sums =
       particle_sums(bodies[0], lattice, Vector<dim>(), MagnetizationLaw::linear);
     double affine        = 0.;
@@ -201,12 +270,20 @@ namespace magmpm::verification
     const ParticleSet<dim> &particles = bodies[0].particles;
     const auto arrays                 = particles.arrays();
     std::vector<Point> points;
+    const auto &law = std::get<NeoHookean<dim>>(bodies[0].material);
     for (std::size_t p = 0; p < particles.size(); ++p)
-      points.push_back({starts[particles.ids()[p]],
-                        particles.position(p),
-                        load_vector<dim>(arrays.velocity, p),
-                        load_matrix<dim>(arrays.deformation, p),
-                        arrays.volume[p]});
+      {
+        const Matrix<dim> deformation = load_matrix<dim>(arrays.deformation, p);
+        Matrix<dim> stress            = law.kirchhoff_stress(deformation, {});
+        if (arrays.smoothing_stress != nullptr)
+          stress += arrays.smoothing_stress[p] * identity<dim>();
+        points.push_back({starts[particles.ids()[p]],
+                          particles.position(p),
+                          load_vector<dim>(arrays.velocity, p),
+                          deformation,
+                          stress,
+                          arrays.volume[p]});
+      }
     return points;
   }
 

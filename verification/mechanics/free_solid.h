@@ -3,6 +3,7 @@
 #include <magmpm/lattice/block_set.h>
 #include <magmpm/lattice/node_field.h>
 #include <magmpm/particles/body.h>
+#include <magmpm/particles/smoothed_volume.h>
 
 #include <functional>
 #include <vector>
@@ -22,6 +23,13 @@ namespace magmpm::verification
     double elastic_factor = 0.4; ///< dt c/dx
     double damping_rate   = 0.;  ///< 1/s, of the velocity against frame_velocity
     Vector<dim> frame_velocity;
+  };
+
+  /** What drives the two ends of a solid along x: nodes beyond a place move outward. */
+  struct Grips
+  {
+    double lower, upper; ///< nodes up to here and from here on [m]
+    double speed;        ///< of both, outward [m/s]
   };
 
   /**
@@ -46,6 +54,10 @@ namespace magmpm::verification
     void
     set_stress(const std::function<Matrix<dim>(const Vector<dim> &, const Matrix<dim> &)> &stress);
 
+    /** Where the grips are at the start of a step, and how fast in it: of the time and the step [s]. */
+    void
+    set_grips(const std::function<Grips(double, double)> &grips);
+
     void
     step();
 
@@ -57,7 +69,21 @@ namespace magmpm::verification
 
     /** Kinetic, that of the affine velocities too, and elastic [J]. */
     double
-    energy() const;
+    energy();
+
+    /** What the grips did so far [J]. */
+    double
+    work_of_grips() const
+    {
+      return work;
+    }
+
+    /** The mean of the outward forces of the two grips in the last step [N]. */
+    double
+    force_of_grips() const
+    {
+      return force;
+    }
 
     Vector<n_axial_components<dim>>
     angular_momentum() const;
@@ -73,6 +99,8 @@ namespace magmpm::verification
     {
       Vector<dim> start, position, velocity;
       Matrix<dim> deformation;
+      Matrix<dim>
+        stress; ///< Kirchhoff, that from outside left out [Pa]; smoothed before the last step
       double volume;
     };
 
@@ -80,8 +108,30 @@ namespace magmpm::verification
     points() const;
 
   private:
+    /** Brings the particles to the arenas where they are now. */
+    void
+    sort();
+
+    void
+    smooth_volume();
+
     void
     add_stress(const double time_step);
+
+    /** What grips do to the lattice. */
+    struct Effect
+    {
+      double work    = 0.; ///< [J]
+      double impulse = 0.; ///< outward, of both together [N s]
+    };
+
+    /** Gives the nodes in the grips their velocity. */
+    Effect
+    drive(const Grips &grips, NodeField<dim> &velocity) const;
+
+    /** P v, and what particles take. */
+    void
+    filter(const double time_step);
 
     /** What is there of momentum becomes velocity. @param mass  of the nodes. */
     void
@@ -93,9 +143,12 @@ namespace magmpm::verification
     std::vector<Vector<dim>> starts; ///< by the number that a particle keeps
     double speed_of_sound;
     std::function<Matrix<dim>(const Vector<dim> &, const Matrix<dim> &)> stress_from_outside;
+    std::function<Grips(double, double)> grips_at;
 
     BlockSet<dim> blocks;
     NodeField<dim> motion, filtered, taken;
+    NodeField<dim, NodeStrain> strain;
     double now = 0., way = 0., max_speed = 0.;
+    double work = 0., force = 0.; // of the grips
   };
 } // namespace magmpm::verification

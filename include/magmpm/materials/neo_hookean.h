@@ -149,6 +149,20 @@ namespace magmpm
       return sqrt(max(in_body, alone) / density);
     }
 
+    /**
+     * kappa [Pa], the part of lambda that acts on the volume ratios of a neighbourhood instead of on a
+     * particle's own (particles/smoothed_volume.h): what exceeds 9 mu, which is lambda at Poisson's ratio
+     * 0.45. Up to there nothing is smoothed: what bending does to the volume counts then, and a
+     * neighbourhood would halve it where it is linear across two cells.
+     */
+    double
+    smoothed_modulus() const
+    {
+      const double kept     = 9. * shear_modulus;
+      const double rounding = 1e-4 * kept; // of moduli that were given as 0.45
+      return lame_lambda > kept + rounding ? lame_lambda - kept : 0.;
+    }
+
     /** Dynamic viscosity [Pa s]: none. */
     double
     viscosity() const

@@ -16,4 +16,13 @@ namespace magmpm
   {
     return std::visit([](const auto &law) { return law.wave_speed(law.undeformed()); }, material);
   }
+
+  /** NeoHookean::smoothed_modulus(), zero of a fluid [Pa]. */
+  template <int dim>
+  inline double
+  smoothed_modulus(const Material<dim> &material)
+  {
+    const auto *solid = std::get_if<NeoHookean<dim>>(&material);
+    return solid != nullptr ? solid->smoothed_modulus() : 0.;
+  }
 } // namespace magmpm

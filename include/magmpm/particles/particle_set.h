@@ -23,10 +23,11 @@ namespace magmpm
     magnetic_field,             ///< H at the last solve
     position_at_solve,          ///< of the potential
     half_extent, ///< of solids: how far it fills its surroundings, undeformed; see ParticleExtent
-    exposed_faces ///< of solids: sum of 2^face over the sides on which nothing of the body was next to it
+    exposed_faces, ///< of solids: sum of 2^face over the sides on which nothing of the body was next to it
+    smoothing_stress ///< of nearly incompressible solids, isotropic; see smoothed_volume.h
   };
 
-  inline constexpr int n_particle_properties = 12;
+  inline constexpr int n_particle_properties = 13;
 
   /** Numbers of a symmetric matrix: the lower triangle, by rows. */
   template <int dim>
@@ -50,6 +51,7 @@ namespace magmpm
     Number *magnetic_field[dim];                      ///< null without magnetic material
     Number *half_extent[n_symmetric_components<dim>]; ///< null of fluids
     Number *exposed_faces;                            ///< likewise
+    Number *smoothing_stress;                         ///< null unless nearly incompressible
   };
 
   /**
@@ -63,8 +65,11 @@ namespace magmpm
     /**
      * @param stores_deformation_gradient  F; otherwise the volume ratio J alone.
      * @param is_magnetic                  whether magnetic quantities are stored at all.
+     * @param smooths_volume               whether the smoothing stress is.
      */
-    ParticleSet(const bool stores_deformation_gradient, const bool is_magnetic);
+    ParticleSet(const bool stores_deformation_gradient,
+                const bool is_magnetic,
+                const bool smooths_volume = false);
 
     std::size_t
     size() const

@@ -17,7 +17,7 @@ namespace magmpm
     Number n_particles          = 0.;
     Number mass                 = 0.;        ///< [kg]
     Number kinetic_energy       = 0.;        ///< sum of m |v|^2/2 [J]
-    Number elastic_energy       = 0.;        ///< sum of V_0 psi [J]
+    Number elastic_energy       = 0.;        ///< sum of V_0 psi [J]; see smoothed_volume.h
     Number gravitational_energy = 0.;        ///< -sum of m g.x [J]
     Vector<dim, Number> momentum;            ///< [kg m/s]
     Vector<dim, Number> mass_times_position; ///< [kg m]

@@ -85,20 +85,36 @@ namespace magmpm
     {
     }
 
+    /**
+     * Where in the arena the first node of each particle is [doubles].
+     *
+     * @param offsets  on return of the particles from it [dx].
+     */
+    SimdDouble::Integer
+    first_nodes(const Vector<dim, SimdDouble> &position, Vector<dim, SimdDouble> &offsets) const
+    {
+      SimdDouble::Integer first = {};
+      for (int d = 0; d < dim; ++d)
+        {
+          const SimdDouble x = (position[d] - origin[d]) * inverse_spacing;
+          const auto node    = (x - 0.5).truncated();
+          offsets[d]         = x - SimdDouble::from_integer(node);
+          first += node * Arena<dim>::stride(d);
+        }
+      return first;
+    }
+
     /** Fills the stencils from the one numbered @p p on, one for each lane of @p position. */
     void
     place(const Vector<dim, SimdDouble> &position, const int p, StencilBatch<dim> &stencils) const
     {
-      SimdDouble::Integer first = {};
+      Vector<dim, SimdDouble> offsets;
+      const SimdDouble::Integer first = first_nodes(position, offsets);
       SimdDouble weights[dim][stencil_width];
       for (int d = 0; d < dim; ++d)
         {
-          const SimdDouble x      = (position[d] - origin[d]) * inverse_spacing;
-          const auto node         = (x - 0.5).truncated();
-          const SimdDouble offset = x - SimdDouble::from_integer(node);
-          first += node * Arena<dim>::stride(d);
-          quadratic_bspline(offset, weights[d]);
-          offset.store(&stencils.offsets[d][p]);
+          quadratic_bspline(offsets[d], weights[d]);
+          offsets[d].store(&stencils.offsets[d][p]);
         }
       std::memcpy(&stencils.first[p], &first, sizeof(first));
       for (int i = 0; i < stencil_width; ++i)

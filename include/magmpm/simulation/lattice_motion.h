@@ -5,6 +5,7 @@
 #include <magmpm/mesh/block_partition.h>
 #include <magmpm/parameters/parameters.h>
 #include <magmpm/particles/particle_grid_transfer.h>
+#include <magmpm/particles/smoothed_volume.h>
 
 #include <vector>
 
@@ -24,6 +25,13 @@ namespace magmpm
     /** Makes room for new blocks. */
     void
     reinit(const int n_blocks);
+
+    /**
+     * Smooths the volume ratios of nearly incompressible solids where they are now; P2G does so itself, and
+     * their elastic energy counts on it. Collective.
+     */
+    void
+    smooth_volume(const BlockPartition<dim> &partition, std::vector<Body<dim>> &bodies);
 
     /** P2G, Eq. (28), summed over the ranks. */
     void
@@ -85,11 +93,14 @@ namespace magmpm
     const double damping_rate;
     const double particle_mass;
     const MirrorWalls<dim> sticking_walls;
-    const bool is_filtered; ///< whether any body wants P v
+    const bool is_filtered;    ///< whether any body wants P v
+    const bool smooths_volume; ///< whether any body is nearly incompressible
 
     NodeField<dim> motion;
     NodeField<dim> unconstrained; ///< velocities without walls and bodies; used if is_filtered
     NodeField<dim> filtered;      ///< P v, likewise
     NodeField<dim> taken;         ///< v and what FMPM gives back, likewise
+
+    NodeField<dim, NodeStrain> strain; ///< used if smooths_volume
   };
 } // namespace magmpm
