@@ -96,7 +96,7 @@ namespace magmpm::benchmarks
           {
             sum_strain(bodies, moduli, blocks, lattice, strain);
             divide_by_weight(blocks, strain);
-            find_smoothing_stress(strain, moduli, blocks, lattice, bodies);
+            find_volumetric_stress(strain, moduli, blocks, lattice, bodies);
           }
       }
 

@@ -41,8 +41,8 @@ namespace magmpm
       add_arrays(particles.magnetic_acceleration, first, next);
       next.add(particles.mass + first);
       next.add(particles.volume + first);
-      if (particles.smoothing_stress != nullptr)
-        next.add(particles.smoothing_stress + first);
+      if (particles.volumetric_stress != nullptr)
+        next.add(particles.volumetric_stress + first);
       next.finish();
       return next;
     }
@@ -50,7 +50,7 @@ namespace magmpm
     /**
      * The impulse of the stress over a step times the length 1/dx of gradients: -dt V_0 tau/dx.
      *
-     * @tparam is_smoothed  with the part of the stress that smoothed_volume.h found.
+     * @tparam is_smoothed  with the volumetric part that smoothed_volume.h found.
      */
     template <bool is_smoothed, int dim, typename Law, typename Place>
     inline Matrix<dim, SimdDouble>
@@ -61,15 +61,12 @@ namespace magmpm
                    const Place place)
     {
       const SimdDouble factor = (-time_step / run.spacing) * load(run.particles.volume, place);
-      Matrix<dim, SimdDouble> stress =
-        law.kirchhoff_stress(load_state<dim, Law>(run.particles, place), affine);
+      const auto state        = load_state<dim, Law>(run.particles, place);
       if constexpr (is_smoothed)
-        {
-          const SimdDouble added = load(run.particles.smoothing_stress, place);
-          for (int i = 0; i < dim; ++i)
-            stress(i, i) += added;
-        }
-      return factor * stress;
+        return factor *
+               law.stress_with_pressure(state, load(run.particles.volumetric_stress, place));
+      else
+        return factor * law.kirchhoff_stress(state, affine);
     }
 
     /** The columns of a matrix of particles, number @p p of the batch on, for the gradients of P2G. */
@@ -293,7 +290,7 @@ namespace magmpm
           [&](const auto &law) {
             const auto law_of_lanes = law.template with_number<SimdDouble>();
             if constexpr (law_of_lanes.stores_deformation_gradient)
-              if (run.particles.smoothing_stress != nullptr)
+              if (run.particles.volumetric_stress != nullptr)
                 return scatter_momentum<true>(run, law_of_lanes, time_step, arena.data());
             scatter_momentum<false>(run, law_of_lanes, time_step, arena.data());
           },

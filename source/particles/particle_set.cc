@@ -60,7 +60,7 @@ namespace magmpm
       assign(ParticleProperty::magnetic_field, arrays.magnetic_field);
       assign(ParticleProperty::half_extent, arrays.half_extent);
       assign(ParticleProperty::exposed_faces, &arrays.exposed_faces);
-      assign(ParticleProperty::smoothing_stress, &arrays.smoothing_stress);
+      assign(ParticleProperty::volumetric_stress, &arrays.volumetric_stress);
       return arrays;
     }
   } // namespace

@@ -105,7 +105,10 @@ namespace magmpm
         add_magnetics(particles, setting, volume_ratio, place, sums);
     }
 
-    /** What smoothed_volume.h makes of the elastic energy [J]: sum of V_0/2 ln J times the smoothing stress. */
+    /**
+     * What smoothed_volume.h makes of the elastic energy [J]: sum of V_0/2 ln J times what the volumetric
+     * stress differs from lambda ln J.
+     */
     template <int dim, typename Law>
     double
     energy_of_smoothing(const ParticleArrays<dim, const double> &particles,
@@ -114,10 +117,13 @@ namespace magmpm
     {
       double energy = 0.;
       if constexpr (Law::stores_deformation_gradient)
-        if (particles.smoothing_stress != nullptr)
+        if (particles.volumetric_stress != nullptr)
           for (std::size_t p = 0; p < n_particles; ++p)
-            energy += 0.5 * particles.volume[p] * particles.smoothing_stress[p] *
-                      std::log(law.volume_ratio(load_state<dim, Law>(particles, p)));
+            {
+              const double strain = std::log(law.volume_ratio(load_state<dim, Law>(particles, p)));
+              energy += 0.5 * particles.volume[p] * strain *
+                        (particles.volumetric_stress[p] - law.lame_lambda * strain);
+            }
       return energy;
     }
 

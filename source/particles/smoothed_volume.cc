@@ -1,6 +1,5 @@
 // Kernels, as particle_grid_transfer.cc.
 
-#include <magmpm/base/prefetch.h>
 #include <magmpm/base/simd_functions.h>
 #include <magmpm/lattice/node_window.h>
 #include <magmpm/particles/make_material.h>
@@ -62,22 +61,15 @@ namespace magmpm
         weights[k].store(&hats.weights[k][p]);
     }
 
-    /** All that scatter_strain() loads of the particles from @p first on. */
-    template <int dim>
-    inline Prefetch<batch_size>
-    prefetch_of_strain(const ParticleArrays<dim> &particles, const std::size_t first)
+    /** A number in all lanes, by a load alone: one that becomes a Simd is added to zero. */
+    inline NodeLanes
+    broadcast(const double number)
     {
-      Prefetch<batch_size> next;
-      for (const double *component : particles.position)
-        next.add(component + first);
-      for (const double *component : particles.deformation)
-        next.add(component + first);
-      next.add(particles.volume + first);
-      next.finish();
-      return next;
+      static_assert(NodeLanes::n_lanes == 4, "as many as there are numbers here");
+      return NodeLanes::Register{number, number, number, number};
     }
 
-    /** Adds V and V ln J, and leaves ln J in the place of the smoothing stress. */
+    /** Adds V and V ln J, and leaves ln J in the place of the volumetric stress. */
     template <int dim, typename Law>
     [[gnu::flatten]] void
     scatter_strain(const ParticleRun<dim> &run, const Law &law, double *arena)
@@ -90,22 +82,19 @@ namespace magmpm
           const auto state        = load_state<dim, Law>(run.particles, place);
           const SimdDouble strain = log(law.volume_ratio(state));
           const SimdDouble volume = load(run.particles.volume, place);
-          store(strain, run.particles.smoothing_stress, place);
+          store(strain, run.particles.volumetric_stress, place);
           const SimdDouble lanes[n_lanes] = {volume * strain, 0., 0., volume};
           store_transposed(lanes, numbers[p], n_lanes);
         });
-        const Prefetch<batch_size> next = prefetch_of_strain<dim>(run.particles,
-                                                                  first + batch_size);
         for (int p = 0; p < n;)
           {
             const int node               = hats.first[p];
             NodeLanes nodes[n_hats<dim>] = {};
             do
               {
-                next.template ask<false>(p);
                 const NodeLanes lanes = NodeLanes::load(numbers[p]);
                 for (int k = 0; k < n_hats<dim>; ++k)
-                  nodes[k] += hats.weights[k][p] * lanes;
+                  nodes[k] += broadcast(hats.weights[k][p]) * lanes;
               }
             while (++p < n && hats.first[p] == node);
             for (int k = 0; k < n_hats<dim>; ++k)
@@ -117,11 +106,12 @@ namespace magmpm
       });
     }
 
-    /** Makes the smoothing stress of the ln J in its place and the means on the nodes. */
+    /** Makes the volumetric stress of the ln J in its place and the means on the nodes. */
     template <int dim>
     [[gnu::flatten]] void
-    gather_strain(const ParticleRun<dim> &run, const double modulus, const double *arena)
+    gather_strain(const ParticleRun<dim> &run, const NeoHookean<dim> &law, const double *arena)
     {
+      const double smoothed = law.smoothed_modulus(), own = law.lame_lambda - smoothed;
       HatBatch<dim> hats;
       alignas(64) double means[batch_size];
       for_each_batch(run, [&](const std::size_t first, const int n) {
@@ -136,8 +126,9 @@ namespace magmpm
             means[p] = mean;
           }
         for_each_lanes(first, n, [&](const auto place, const int p) {
-          double *const stress = run.particles.smoothing_stress;
-          store(modulus * (SimdDouble::load(&means[p]) - load(stress, place)), stress, place);
+          double *const stress    = run.particles.volumetric_stress;
+          const SimdDouble strain = load(stress, place);
+          store(own * strain + smoothed * SimdDouble::load(&means[p]), stress, place);
         });
       });
     }
@@ -205,11 +196,11 @@ namespace magmpm
 
   template <int dim>
   void
-  find_smoothing_stress(const NodeField<dim, NodeStrain> &field,
-                        const LameModuli &moduli,
-                        const BlockSet<dim> &blocks,
-                        const Lattice<dim> &lattice,
-                        std::vector<Body<dim>> &bodies)
+  find_volumetric_stress(const NodeField<dim, NodeStrain> &field,
+                         const LameModuli &moduli,
+                         const BlockSet<dim> &blocks,
+                         const Lattice<dim> &lattice,
+                         std::vector<Body<dim>> &bodies)
   {
     Arena<dim> arena;
     for_each_run(
@@ -219,7 +210,7 @@ namespace magmpm
       [&](const Body<dim> &body) { return has_moduli(body, moduli); },
       [&](const int slot) { arena.load(field, blocks, slot); },
       [&](const std::size_t b, const ParticleRun<dim> &run) {
-        gather_strain(run, smoothed_modulus(bodies[b].material), arena.data());
+        gather_strain(run, std::get<NeoHookean<dim>>(bodies[b].material), arena.data());
       },
       [](const int) {});
   }
@@ -232,11 +223,11 @@ namespace magmpm
                            const Lattice<dim> &,                                       \
                            NodeField<dim, NodeStrain> &);                              \
   template void divide_by_weight(const BlockSet<dim> &, NodeField<dim, NodeStrain> &); \
-  template void find_smoothing_stress(const NodeField<dim, NodeStrain> &,              \
-                                      const LameModuli &,                              \
-                                      const BlockSet<dim> &,                           \
-                                      const Lattice<dim> &,                            \
-                                      std::vector<Body<dim>> &);
+  template void find_volumetric_stress(const NodeField<dim, NodeStrain> &,             \
+                                       const LameModuli &,                             \
+                                       const BlockSet<dim> &,                          \
+                                       const Lattice<dim> &,                           \
+                                       std::vector<Body<dim>> &);
 
   INSTANTIATE(2)
   INSTANTIATE(3)

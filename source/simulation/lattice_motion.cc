@@ -95,7 +95,7 @@ namespace magmpm
         partition.add_ghosts_to_owners(strain);
         divide_by_weight(blocks, strain);
         partition.update_ghosts(strain);
-        find_smoothing_stress(strain, moduli, blocks, lattice, bodies);
+        find_volumetric_stress(strain, moduli, blocks, lattice, bodies);
       }
   }
 

@@ -82,7 +82,7 @@ namespace magmpm::verification
       {
         sum_strain(bodies, moduli, blocks, lattice, strain);
         divide_by_weight(blocks, strain);
-        find_smoothing_stress(strain, moduli, blocks, lattice, bodies);
+        find_volumetric_stress(strain, moduli, blocks, lattice, bodies);
       }
   }
 
@@ -274,9 +274,10 @@ namespace magmpm::verification
     for (std::size_t p = 0; p < particles.size(); ++p)
       {
         const Matrix<dim> deformation = load_matrix<dim>(arrays.deformation, p);
-        Matrix<dim> stress            = law.kirchhoff_stress(deformation, {});
-        if (arrays.smoothing_stress != nullptr)
-          stress += arrays.smoothing_stress[p] * identity<dim>();
+        const Matrix<dim> stress      = arrays.volumetric_stress != nullptr
+                                          ? law.stress_with_pressure(deformation,
+                                                                arrays.volumetric_stress[p])
+                                          : law.kirchhoff_stress(deformation, {});
         points.push_back({starts[particles.ids()[p]],
                           particles.position(p),
                           load_vector<dim>(arrays.velocity, p),

@@ -73,11 +73,18 @@ namespace magmpm
                      const Matrix<dim, Number> & /*velocity_gradient*/) const
     {
       using std::log;
+      return stress_with_pressure(deformation_gradient,
+                                  lame_lambda * log(volume_ratio(deformation_gradient)));
+    }
+
+    /** The same where it is known what is in place of lambda ln J: @p volumetric [Pa]. */
+    Matrix<dim, Number>
+    stress_with_pressure(const State &deformation_gradient, const Number &volumetric) const
+    {
       Matrix<dim, Number> stress = shear_modulus * left_cauchy_green(deformation_gradient);
-      const Number volumetric    = lame_lambda * log(volume_ratio(deformation_gradient)) -
-                                shear_modulus;
+      const Number isotropic     = volumetric - shear_modulus;
       for (int i = 0; i < dim; ++i)
-        stress(i, i) += volumetric;
+        stress(i, i) += isotropic;
       return stress;
     }
 

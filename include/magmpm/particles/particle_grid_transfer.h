@@ -39,7 +39,7 @@ namespace magmpm
    *   (m v)_i += N_ip m [ v + dt a + C (x_i - x_p) ] - dt V_0 tau grad N_i(x_p),
    * a fluid's in the form of MLS-MPM, with 4/dx^2 N_ip (x_i - x_p) in place of grad N_i. That is no
    * gradient: a solid of which F grew by it would take up less strain than it is bent by, and creep.
-   * The stress of a nearly incompressible solid has the part that smoothed_volume.h found last.
+   * The stress of a nearly incompressible solid has the volumetric part that smoothed_volume.h found last.
    *
    * @param field  on return the sums over this rank's particles, also on ghosts.
    */

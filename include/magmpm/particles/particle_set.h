@@ -24,7 +24,7 @@ namespace magmpm
     position_at_solve,          ///< of the potential
     half_extent, ///< of solids: how far it fills its surroundings, undeformed; see ParticleExtent
     exposed_faces, ///< of solids: sum of 2^face over the sides on which nothing of the body was next to it
-    smoothing_stress ///< of nearly incompressible solids, isotropic; see smoothed_volume.h
+    volumetric_stress ///< of nearly incompressible solids; see smoothed_volume.h
   };
 
   inline constexpr int n_particle_properties = 13;
@@ -51,7 +51,7 @@ namespace magmpm
     Number *magnetic_field[dim];                      ///< null without magnetic material
     Number *half_extent[n_symmetric_components<dim>]; ///< null of fluids
     Number *exposed_faces;                            ///< likewise
-    Number *smoothing_stress;                         ///< null unless nearly incompressible
+    Number *volumetric_stress;                        ///< null unless nearly incompressible
   };
 
   /**
@@ -65,7 +65,7 @@ namespace magmpm
     /**
      * @param stores_deformation_gradient  F; otherwise the volume ratio J alone.
      * @param is_magnetic                  whether magnetic quantities are stored at all.
-     * @param smooths_volume               whether the smoothing stress is.
+     * @param smooths_volume               whether the volumetric stress is.
      */
     ParticleSet(const bool stores_deformation_gradient,
                 const bool is_magnetic,

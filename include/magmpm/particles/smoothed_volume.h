@@ -26,8 +26,9 @@
  * as it would cost momentum: a bar stretched by half and back loses or gains 1e-3 of the work by that.
  * A particle without neighbours within reach of its hats has its own ln J.
  *
- * The smoothing stress that particles carry is kappa (sum_k h_kp theta_k - ln J_p): what this adds to the
- * law of the material. It takes part in nothing until it is found, before each P2G.
+ * The volumetric stress that particles carry is that in place of lambda ln J in the law of the material,
+ *   lambda_0 ln J_p + kappa sum_k h_kp theta_k,
+ * found before each P2G and before energies are summed. No pressure enters the von Mises stress.
  */
 namespace magmpm
 {
@@ -77,15 +78,15 @@ namespace magmpm
   divide_by_weight(const BlockSet<dim> &blocks, NodeField<dim, NodeStrain> &field);
 
   /**
-   * The smoothing stress of the particles of a material, at the places and in the state of sum_strain().
+   * The volumetric stress of the particles of a material, at the places and in the state of sum_strain().
    *
    * @param field  means, ghosts up to date.
    */
   template <int dim>
   void
-  find_smoothing_stress(const NodeField<dim, NodeStrain> &field,
-                        const LameModuli &moduli,
-                        const BlockSet<dim> &blocks,
-                        const Lattice<dim> &lattice,
-                        std::vector<Body<dim>> &bodies);
+  find_volumetric_stress(const NodeField<dim, NodeStrain> &field,
+                         const LameModuli &moduli,
+                         const BlockSet<dim> &blocks,
+                         const Lattice<dim> &lattice,
+                         std::vector<Body<dim>> &bodies);
 } // namespace magmpm
