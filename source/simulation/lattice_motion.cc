@@ -63,7 +63,7 @@ namespace magmpm
     , particle_mass(typical_particle_mass(parameters))
     , sticking_walls(walls_to_stick_to(parameters))
     , is_filtered(wants_filter(parameters))
-    , smooths_volume(wants_smoothing(parameters))
+    , has_smoothed_bodies(wants_smoothing(parameters))
   {
   }
 
@@ -72,7 +72,7 @@ namespace magmpm
   LatticeMotion<dim>::reinit(const int n_blocks)
   {
     motion.reinit(n_blocks);
-    if (smooths_volume)
+    if (has_smoothed_bodies)
       strain.reinit(n_blocks);
     if (!is_filtered)
       return;
@@ -86,7 +86,7 @@ namespace magmpm
   LatticeMotion<dim>::smooth_volume(const BlockPartition<dim> &partition,
                                     std::vector<Body<dim>> &bodies)
   {
-    if (!smooths_volume)
+    if (!has_smoothed_bodies)
       return;
     const BlockSet<dim> &blocks = partition.blocks();
     for (const LameModuli &moduli : smoothed_materials(bodies))

@@ -129,12 +129,11 @@ namespace magmpm
     state.clock.time += state.clock.time_step;
     ++state.clock.step;
     // Now, not before the next step: output also counts on particles being in their arenas.
-    if (decomposition->regrouping_is_due())
-      {
-        regroup_particles();
-        if (request.wants_sums)
-          find_sums();
-      }
+    const bool is_due = decomposition->regrouping_is_due();
+    if (is_due)
+      regroup_particles();
+    if (request.wants_sums && (is_due || lattice_motion.smooths_volume()))
+      find_sums();
   }
 
   template <int dim>

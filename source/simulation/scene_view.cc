@@ -23,7 +23,6 @@ namespace magmpm
   {
     state.sums.clear();
     state.fewest_particles = 0.;
-    lattice_motion.smooth_volume(decomposition->partition(), all_bodies);
     for (const Body<dim> &body : all_bodies)
       {
         state.sums.push_back(particle_sums(
@@ -39,6 +38,7 @@ namespace magmpm
   void
   Scene<dim>::find_sums()
   {
+    lattice_motion.smooth_volume(decomposition->partition(), all_bodies);
     parallel::Reduction reduction;
     add_sums(reduction);
     reduction.carry_out(communicator);

@@ -26,6 +26,13 @@ namespace magmpm
     void
     reinit(const int n_blocks);
 
+    /** Whether any body is nearly incompressible. */
+    bool
+    smooths_volume() const
+    {
+      return has_smoothed_bodies;
+    }
+
     /**
      * Smooths the volume ratios of nearly incompressible solids where they are now; P2G does so itself, and
      * their elastic energy counts on it. Collective.
@@ -93,14 +100,14 @@ namespace magmpm
     const double damping_rate;
     const double particle_mass;
     const MirrorWalls<dim> sticking_walls;
-    const bool is_filtered;    ///< whether any body wants P v
-    const bool smooths_volume; ///< whether any body is nearly incompressible
+    const bool is_filtered; ///< whether any body wants P v
+    const bool has_smoothed_bodies;
 
     NodeField<dim> motion;
     NodeField<dim> unconstrained; ///< velocities without walls and bodies; used if is_filtered
     NodeField<dim> filtered;      ///< P v, likewise
     NodeField<dim> taken;         ///< v and what FMPM gives back, likewise
 
-    NodeField<dim, NodeStrain> strain; ///< used if smooths_volume
+    NodeField<dim, NodeStrain> strain; ///< used if has_smoothed_bodies
   };
 } // namespace magmpm

@@ -218,6 +218,7 @@ namespace magmpm
     void
     add_sums(parallel::Reduction &reduction);
 
+    /** Those of all ranks, of particles at the places where they are sorted to. */
     void
     find_sums();
 
