@@ -158,7 +158,7 @@ TEST_CASE("A fast magnet is driven through a block", "[program]")
   // limits the time step, no particle is left inside of it, and the run goes on to its end.
   ParameterText scene;
   scene.end_time = "0.012";
-  scene.box      = "0.64, 0.32"; // what is thrown off does not reach a wall, where it would be crushed
+  scene.box = "0.64, 0.32"; // what is thrown off does not reach a wall, where it would be crushed
   scene
     .add_solid(
       "clay", "1e5", "set Saturation magnetization = 5e4\nset Initial susceptibility = 1\n")

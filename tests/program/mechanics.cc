@@ -94,10 +94,9 @@ TEST_CASE("A bouncing block keeps its energy in bounds", "[program]")
          lowest = 1.;
   for (std::size_t row = 0; row < statistics.n_rows(); ++row)
     {
-      const double total = statistics["kinetic energy [J]"][row] +
-                           statistics["elastic energy [J]"][row] +
-                           statistics["gravitational energy [J]"][row] +
-                           statistics["contact energy [J]"][row];
+      const double total =
+        statistics["kinetic energy [J]"][row] + statistics["elastic energy [J]"][row] +
+        statistics["gravitational energy [J]"][row] + statistics["contact energy [J]"][row];
       if (row == 0)
         total_at_start = least = total;
       excess         = std::max(excess, total - total_at_start);
