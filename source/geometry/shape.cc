@@ -160,6 +160,8 @@ namespace magmpm
   template std::vector<WayOut<3>>
   ways_by_faces(const std::vector<Vector<3>> &, const std::vector<double> &, double);
 
-  template class Shape<2>;
-  template class Shape<3>;
+  template std::vector<WayOut<2>>
+  Shape<2>::ways_out(const Vector<2> &) const;
+  template std::vector<WayOut<3>>
+  Shape<3>::ways_out(const Vector<3> &) const;
 } // namespace magmpm

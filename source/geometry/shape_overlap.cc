@@ -8,7 +8,7 @@ namespace magmpm
   namespace
   {
     /** Lengths that differ by less than this part of themselves are the same. */
-    constexpr double tolerance = 1e-9;
+    constexpr double same_length = 1e-9;
 
     template <int dim>
     bool
@@ -17,7 +17,7 @@ namespace magmpm
       for (int d = 0; d < dim; ++d)
         {
           const double shared = std::min(a.upper[d], b.upper[d]) - std::max(a.lower[d], b.lower[d]);
-          if (shared <= tolerance * (a.upper[d] - a.lower[d]))
+          if (shared <= same_length * (a.upper[d] - a.lower[d]))
             return false;
         }
       return true;
@@ -30,7 +30,7 @@ namespace magmpm
     {
       // A point on both surfaces does not count, so that shapes which only touch do not overlap.
       const BoundingBox<dim> box = b.bounding_box();
-      const double margin        = tolerance * norm(box.upper - box.lower);
+      const double margin        = same_length * norm(box.upper - box.lower);
       const auto lies_in_b       = [&](const Vector<dim> &point) {
         return b.contains(point) && side_of(b, point, margin) == SurfaceSide::inside;
       };
