@@ -243,7 +243,7 @@ namespace magmpm
           continue;
         const double friction = (walls.condition[face] == WallCondition::stick
                                    ? std::numeric_limits<double>::infinity()
-                                   : friction_of(mover.contact()));
+                                   : std::max(friction_of(mover.contact()), walls.friction[face]));
         Vector<dim> normal;
         normal[d] = direction;
         for (const Vector<dim> &own : points[body])

@@ -24,7 +24,8 @@ namespace magmpm
         declarations.add(face_names[face] + " friction",
                          walls.friction[face],
                          "-",
-                         "Coulomb's coefficient of friction at this face, with slip or separate.",
+                         "Coulomb's coefficient of friction at this face, with slip or separate; "
+                         "of rigid bodies there the larger of theirs and this.",
                          not_negative);
       else
         declarations.refuse(face_names[face] + " friction", "this face needs Dimension = 3.");

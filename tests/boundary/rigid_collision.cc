@@ -40,10 +40,11 @@ namespace
 
   template <int dim>
   WallParameters<dim>
-  all_walls(const WallCondition condition)
+  all_walls(const WallCondition condition, const double friction = 0.)
   {
     WallParameters<dim> walls;
     walls.condition.fill(condition);
+    walls.friction.fill(friction);
     return walls;
   }
 
@@ -271,9 +272,11 @@ namespace
   template <int dim>
   struct Arena
   {
-    Arena(const std::vector<RigidBody<dim>> &bodies_at_start, const WallCondition condition)
+    Arena(const std::vector<RigidBody<dim>> &bodies_at_start,
+          const WallCondition condition,
+          const double friction_of_walls = 0.)
       : bodies(bodies_at_start)
-      , walls(all_walls<dim>(condition))
+      , walls(all_walls<dim>(condition, friction_of_walls))
       , boundary(test_lattice<dim>(), walls, bodies)
       , no_contact(test_lattice<dim>(), walls, bodies)
       , collision(test_lattice<dim>(), walls, bodies, 0.05)
@@ -332,16 +335,19 @@ TEST_CASE("a falling body comes to rest on a wall", "[boundary]")
 TEST_CASE("friction stops a sliding body after v^2/(2 mu g)", "[boundary]")
 {
   // A box slides on the floor at 1 m/s with a coefficient of 0.5: Coulomb's law stops it after 0.1 m;
-  // without friction it goes on. It is flat, so that it does not tip over.
-  const auto way = [](const double friction, const double time) {
-    Arena<2> arena({free_box<2>({{0.2, 0.}}, {{0.6, 0.1}}, friction)}, WallCondition::slip);
+  // without friction it goes on. It is flat, so that it does not tip over. The larger of its coefficient and that
+  // of the wall counts.
+  const auto way = [](const double friction, const double of_wall, const double time) {
+    Arena<2> arena(
+      {free_box<2>({{0.2, 0.}}, {{0.6, 0.1}}, friction)}, WallCondition::slip, of_wall);
     arena.bodies[0].set_motion({{{1., 0.}}, {}});
     for (double t = 0.; t < time; t += 1e-3)
       arena.step(1e-3, {{{0., -10.}}});
     return arena.bodies[0].pose().position[0] - 0.4;
   };
-  CHECK(way(0.5, 0.5) == Approx(0.1).epsilon(0.01));
-  CHECK(way(0., 0.5) == Approx(0.5).epsilon(0.01));
+  CHECK(way(0.5, 0., 0.5) == Approx(0.1).epsilon(0.01));
+  CHECK(way(0.2, 0.5, 0.5) == Approx(0.1).epsilon(0.01));
+  CHECK(way(0., 0., 0.5) == Approx(0.5).epsilon(0.01));
 }
 
 TEST_CASE("two equal bodies pulled together come to rest in contact", "[boundary]")
