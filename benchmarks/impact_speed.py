@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """The magnetized cube that hits a magnet, parameter_files/cube_nonlinear.prm: what lattice spacing,
-time step and the trigger of a new magnetic solve cost, and what they change of the impact.
+time step, the trigger of a new magnetic solve and the contact cost, and what they change of the impact.
 
-impact_speed.py PATH/OF/magmpm [--end-time 0.17] [--ranks 2] [--only spacing step trigger]
+impact_speed.py PATH/OF/magmpm [--end-time 0.17] [--ranks 2] [--only spacing step trigger contact]
 """
 
 import argparse
@@ -41,6 +41,10 @@ def groups(n_cells, finest):
         + [("fixed 5e-5 s", coarse + FIXED_STEP)],
         "trigger": [(f"moved by {f} dx", coarse + moved_fraction(f)) for f in (0.5, 0.2, 0.1, 0.05)]
         + [("every step", coarse + ["Magnetics/Solve/When=every step"])],
+        "contact": [(f"{contact}, factor {f}",
+                     coarse + elastic_factor(f) + [f"Magnets/ball/Contact={contact}"])
+                    for contact, factors in (("slip", (0.1, 0.4)), ("stick", (0.02, 0.1, 0.4)))
+                    for f in factors],
     }
 
 
@@ -62,8 +66,19 @@ def parabola_peak(x, y):
     return place, y[1] + (place - x[1]) * (left + curvature * (place - x[0]))
 
 
+def energies(rows):
+    """The largest kinetic energy [J], and the largest rise of the sum of all over its lowest value before."""
+    names = [key for key in rows[0] if key.endswith(" energy [J]")]
+    largest, lowest, rise = max(column(rows, "kinetic energy")), float("inf"), 0.0
+    for row in rows:
+        total = sum(float(row[name]) for name in names)
+        lowest = min(lowest, total)
+        rise = max(rise, total - lowest)
+    return largest, rise
+
+
 def impact(path):
-    """When the centre of mass was fastest, its speed then, and the smallest J."""
+    """When the centre of mass was fastest, its speed then, the smallest J, and the energies."""
     with open(path, newline="") as table:
         rows = list(csv.DictReader(table))
     times, heights = column(rows, "time"), column(rows, "centre of mass z")
@@ -76,7 +91,8 @@ def impact(path):
     volumes = column(rows, "min J")
     if min(volumes) == volumes[-1]:
         sys.exit("impact_speed: the cube is still being compressed; give a later --end-time")
-    return {"time": when, "speed": speed, "min J": min(volumes),
+    kinetic, rise = energies(rows)
+    return {"time": when, "speed": speed, "min J": min(volumes), "kinetic": kinetic, "rise": rise,
             "steps": len(rows), "solves": int(column(rows, "magnetic solves")[-1])}
 
 
@@ -105,7 +121,7 @@ def run(options, settings):
 def print_group(name, results):
     """Deviations are from the last row that did not fail."""
     print(f"\n{name:<20} {'core s':>8} {'steps':>6} {'solves':>6} {'impact s':>9} {'':>8} "
-          f"{'speed m/s':>9} {'':>8} {'min J':>7} {'':>8}")
+          f"{'speed m/s':>9} {'':>8} {'min J':>7} {'':>8} {'K [J]':>7} {'rise/K':>7}")
     finished = [result for _, result in results if isinstance(result, dict)]
     for row, result in results:
         if isinstance(result, str):
@@ -116,6 +132,7 @@ def print_group(name, results):
             width = 7 if key == "min J" else 9
             deviation = result[key] / finished[-1][key] - 1.0
             text += f" {result[key]:{width}.{digits}f} {100.0 * deviation:+7.2f}%"
+        text += f" {result['kinetic']:7.1f} {100.0 * result['rise'] / result['kinetic']:6.2f}%"
         print(text, flush=True)
 
 
@@ -125,12 +142,12 @@ def main():
     parser.add_argument("program", help="magmpm")
     parser.add_argument("--end-time", type=float, default=0.17, help="[s]")
     parser.add_argument("--ranks", type=int, default=2)
-    parser.add_argument("--cells", type=int, default=64, help="1/dx of steps and triggers [1/m]")
+    parser.add_argument("--cells", type=int, default=64, help="1/dx of all but spacings [1/m]")
     parser.add_argument("--finest", type=int, default=128, help="largest 1/dx of spacings [1/m]")
-    parser.add_argument("--only", nargs="+", choices=["spacing", "step", "trigger"])
+    parser.add_argument("--only", nargs="+", choices=["spacing", "step", "trigger", "contact"])
     options = parser.parse_args()
     print(f"cube_nonlinear.prm until {options.end_time} s, {options.ranks} ranks, no output; "
-          f"steps and triggers with dx = 1/{options.cells}\n"
+          f"all but spacings with dx = 1/{options.cells}\n"
           "impact: when the centre of mass is fastest; per cent: from the last row; "
           "core s: per rank", flush=True)
     for name, cases in groups(options.cells, options.finest).items():

@@ -303,15 +303,19 @@ namespace
         cases.push_back({"incline " + std::to_string(dim) + "D", [dim] { return inclines(dim); }});
       }
     cases.push_back({"rebound 2D, 16 cells; impact", [] { return finer_and_faster_impacts(); }});
-    cases.push_back({"cube on ball", []() -> std::vector<Value> {
-                       std::vector<Value> values;
-                       for (const double factor : {0.4, 0.1})
-                         values.push_back(
-                           {"cube on ball, rise of the energy at factor " + to_text(factor),
-                            energy_rise_on_ball(factor),
-                            0.02});
-                       return values;
-                     }});
+    for (const auto obstruction : {Obstruction::ball, Obstruction::box})
+      {
+        const std::string name = obstruction == Obstruction::ball ? "cube on ball" : "cube on box";
+        cases.push_back({name, [name, obstruction]() -> std::vector<Value> {
+                           std::vector<Value> values;
+                           for (const double factor : {0.4, 0.1})
+                             values.push_back(
+                               {name + ", rise of the energy at factor " + to_text(factor),
+                                energy_rise_on(obstruction, factor),
+                                0.02});
+                           return values;
+                         }});
+      }
   }
 
   void

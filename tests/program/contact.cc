@@ -62,5 +62,5 @@ TEST_CASE("A cube that rolls off a ball gains no energy", "[program]")
 {
   // Six cells on a ball of 3.2. With the least gap in reach of a node instead of that of the surface next to
   // it, the sum would rise by 22 % of the kinetic energy.
-  CHECK(energy_rise_on_ball(0.1) < 0.005);
+  CHECK(energy_rise_on(Obstruction::ball, 0.1) < 0.005);
 }

@@ -79,43 +79,72 @@ TEST_CASE("Momentum and angular momentum of a spinning body are kept", "[program
   CHECK(statistics.last("elastic energy [J]") > 1e-4);
 }
 
+namespace
+{
+  struct Bounce
+  {
+    double excess  = 0.; ///< of the sum of energies over that of the start [J]
+    double rise    = 0.; ///< of the sum over its lowest value before [J]
+    double impact  = 0.; ///< largest kinetic energy [J]
+    double lowest  = 1.; ///< place of the centre of mass [m]
+    double rebound = 0.; ///< largest upward momentum after that [kg m/s]
+    double n_lost  = 0.;
+  };
+
+  /** A block that hits the ground at 1.4 m/s, deforms and rebounds. */
+  Bounce
+  bounce()
+  {
+    const Outcome run = run_magmpm(falling_block + no_output +
+                                   "--set \"End time=0.25\" --set \"Output directory=bouncing\"");
+    INFO(run.errors);
+    REQUIRE(run.exit_code == 0);
+    const Statistics statistics("bouncing");
+    Bounce result;
+    double total_at_start = 0., least = 0.;
+    for (std::size_t row = 0; row < statistics.n_rows(); ++row)
+      {
+        const double total =
+          statistics["kinetic energy [J]"][row] + statistics["elastic energy [J]"][row] +
+          statistics["gravitational energy [J]"][row] + statistics["contact energy [J]"][row];
+        if (row == 0)
+          total_at_start = least = total;
+        result.excess  = std::max(result.excess, total - total_at_start);
+        result.rise    = std::max(result.rise, total - least);
+        least          = std::min(least, total);
+        result.impact  = std::max(result.impact, statistics["kinetic energy [J]"][row]);
+        const double z = statistics["centre of mass z [m]"][row];
+        result.lowest  = std::min(result.lowest, z);
+        if (z > result.lowest + 0.01)
+          result.rebound = std::max(result.rebound, statistics["momentum z [kg m/s]"][row]);
+      }
+    result.n_lost = statistics.last("lost particles");
+    return result;
+  }
+} // namespace
+
 TEST_CASE("A bouncing block keeps its energy in bounds", "[program]")
 {
-  // The block hits the ground at 1.4 m/s, deforms and rebounds. Symplectic Euler and the transfer lose energy
-  // and must not make any: the sum never exceeds that of the start. While it is pressed against the ground the
-  // sum swings by 3 % of the kinetic energy of the impact, as the pressure of contact stores more than the
-  // energy by its depth says. An elastic body has most of its speed after the rebound; the wall holds.
-  const Outcome run = run_magmpm(falling_block + no_output +
-                                 "--set \"End time=0.25\" --set \"Output directory=bouncing\"");
-  INFO(run.errors);
-  REQUIRE(run.exit_code == 0);
-  const Statistics statistics("bouncing");
-  double total_at_start = 0., least = 0., impact = 0., excess = 0., rise = 0., rebound = 0.,
-         lowest = 1.;
-  for (std::size_t row = 0; row < statistics.n_rows(); ++row)
-    {
-      const double total =
-        statistics["kinetic energy [J]"][row] + statistics["elastic energy [J]"][row] +
-        statistics["gravitational energy [J]"][row] + statistics["contact energy [J]"][row];
-      if (row == 0)
-        total_at_start = least = total;
-      excess         = std::max(excess, total - total_at_start);
-      rise           = std::max(rise, total - least);
-      least          = std::min(least, total);
-      impact         = std::max(impact, statistics["kinetic energy [J]"][row]);
-      const double z = statistics["centre of mass z [m]"][row];
-      lowest         = std::min(lowest, z);
-      if (z > lowest + 0.01)
-        rebound = std::max(rebound, statistics["momentum z [kg m/s]"][row]);
-    }
-  const double mass = 1000. * 0.08 * 0.08 * 0.08;
-  INFO("energy rose by " << rise / impact << " of the impact, rebound at " << rebound / mass
-                         << " m/s");
-  CHECK(excess < 1e-10 * impact);
-  CHECK(rise < 0.035 * impact);
-  CHECK(rebound / mass > 0.5 * std::sqrt(2. * 9.81 * 0.1));
-  CHECK(statistics.last("lost particles") == 0.);
-  CHECK(lowest > 0.025); // half the block's height is 0.04
+  // Symplectic Euler and the transfer lose energy and must not make any: the sum never exceeds that of the
+  // start. An elastic body has most of its speed after the rebound; the wall holds.
+  const Bounce result = bounce();
+  const double mass   = 1000. * 0.08 * 0.08 * 0.08;
+  INFO("energy rose by " << result.rise / result.impact << " of the impact, rebound at "
+                         << result.rebound / mass << " m/s");
+  CHECK(result.excess < 1e-10 * result.impact);
+  CHECK(result.rise < 0.035 * result.impact); // what there is: see the next test
+  CHECK(result.rebound / mass > 0.5 * std::sqrt(2. * 9.81 * 0.1));
+  CHECK(result.n_lost == 0.);
+  CHECK(result.lowest > 0.025); // half the block's height is 0.04
+}
+
+TEST_CASE("A bouncing block's energy does not swing", "[program][!shouldfail]")
+{
+  // A limit that is missed: the sum should never rise by more than 1 % of the kinetic energy of the impact,
+  // the size O(dt) of the swing in what symplectic Euler keeps. While the block is pressed on the ground it swings
+  // by 3 %. Whoever mends that is told so by this test.
+  const Bounce result = bounce();
+  CHECK(result.rise < 0.01 * result.impact);
 }
 
 TEST_CASE("A run that goes astray says so and keeps its results", "[program]")

@@ -147,8 +147,12 @@ namespace magmpm::verification
   }
 
   double
-  energy_rise_on_ball(const double elastic_factor)
+  energy_rise_on(const Obstruction obstruction, const double elastic_factor)
   {
+    const std::string shape =
+      obstruction == Obstruction::ball
+        ? "    set Shape = sphere\n    set Centre = 0.5, 0.5, 0.1\n    set Radius = 0.1\n"
+        : box("0.4, 0.4, 0", "0.6, 0.6, 0.2");
     const std::string scene =
       "set Dimension = 3\nset Gravity = 0, 0, -15\nsubsection Box\n" + box("0, 0, 0", "1, 1, 1") +
       "  set Cell size = 0.03125\nend\nsubsection Time step\n  set Elastic factor = " +
@@ -158,11 +162,10 @@ namespace magmpm::verification
       box("0.40625, 0.40625, 0.3515625", "0.59375, 0.59375, 0.5390625") +
       "  end\nend\nsubsection Materials\n  set List of materials = clay\n  subsection clay\n"
       "    set Young's modulus = 1e5\n    set Poisson ratio = 0.3\n  end\nend\n"
-      "subsection Rigid bodies\n  set List of rigid bodies = ball\n  subsection ball\n"
-      "    set Shape = sphere\n    set Centre = 0.5, 0.5, 0.1\n    set Radius = 0.1\n"
-      "    set Motion = scripted\n    set Contact = separate\n  end\nend\n" +
+      "subsection Rigid bodies\n  set List of rigid bodies = body\n  subsection body\n" +
+      shape + "    set Motion = scripted\n    set Contact = separate\n  end\nend\n" +
       run_for(0.35, 1);
-    const Statistics statistics(run_scene("cube_on_ball", scene));
+    const Statistics statistics(run_scene("cube_on_body", scene));
     const auto &kinetic = statistics["kinetic energy [J]"];
     double lowest = total_energy(statistics).front(), rise = 0.;
     for (const double energy : total_energy(statistics))

@@ -55,13 +55,20 @@ namespace magmpm::verification
   InclineResult
   slide(const Incline &incline);
 
+  /** What a falling cube hits: a ball of 3.2 dx, or a box of 6.4 dx, 0.2 dx wider than the cube on each side. */
+  enum class Obstruction
+  {
+    ball,
+    box
+  };
+
   /**
-   * A soft cube of six cells (100 kPa, 2500 kg/m^3) that gravity draws onto a ball of 3.2 dx which separates,
-   * at a quarter of its speed of sound.
+   * A soft cube of six cells (100 kPa, 2500 kg/m^3) that gravity draws onto a body which separates, at 0.29 of its
+   * speed of sound.
    *
    * @return the largest rise of the sum of all energies above its lowest value before, over the largest kinetic
    *         energy.
    */
   double
-  energy_rise_on_ball(const double elastic_factor);
+  energy_rise_on(const Obstruction obstruction, const double elastic_factor);
 } // namespace magmpm::verification
