@@ -1,4 +1,5 @@
 #include <magmpm/coupling/contact_sums.h>
+#include <magmpm/coupling/density_relaxation.h>
 #include <magmpm/coupling/magnet_bodies.h>
 #include <magmpm/coupling/rigid_body_coupling.h>
 
@@ -78,6 +79,9 @@ namespace magmpm
       return;
     sum_contact(bodies, blocks, parameters.lattice, solid_contact, solid_contact.sums());
     partition.add_ghosts_to_owners(solid_contact.sums());
+    // Images behind walls are chosen on ghosts too, see WallImages.
+    if (has_fluid(bodies))
+      partition.update_ghosts(solid_contact.sums());
   }
 
   template <int dim>

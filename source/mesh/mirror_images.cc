@@ -1,4 +1,4 @@
-#include <magmpm/lattice/node_window.h>
+#include <magmpm/lattice/wall_columns.h>
 #include <magmpm/mesh/mirror_images.h>
 
 namespace magmpm
@@ -23,46 +23,39 @@ namespace magmpm
       return result;
     }
 
-    /**
-     * Treats the nodes at the wall through node 0 along @p axis of the block in @p slot; material is
-     * in this block if @p is_in_front, in the one below if not.
-     */
+    /** Makes the lanes of one node behind a wall the image of those in front; adds them first if @p adds. */
     template <int dim>
     void
-    reflect_in_block(const BlockSet<dim> &blocks,
-                     const int slot,
-                     const int axis,
-                     const bool is_in_front,
-                     const bool adds,
-                     const LaneSigns &signs,
-                     NodeNumbers<dim> &field)
+    reflect_node(const LatticeNode &in_front,
+                 const LatticeNode &behind,
+                 const bool adds,
+                 const LaneSigns &signs,
+                 NodeNumbers<dim> &field)
     {
-      using Window       = NodeWindow<dim, block_edge - 1, 0>;
-      const int n_lanes  = field.layout().n_lanes;
-      const auto &around = blocks.neighbours(slot);
-      for (int node = 0; node < nodes_per_block<dim>; ++node)
+      double *front = field.node(in_front.slot, in_front.number);
+      double *image = field.node(behind.slot, behind.number);
+      for (int lane = 0; lane < field.layout().n_lanes; ++lane)
         {
-          const int distance = node / power(block_edge, axis) % block_edge;
-          const NodePlace &image =
-            Window::place(Window::of_block(node) - 2 * distance * Window::stride(axis));
-          const int image_slot = around[image.neighbour];
-          if (image_slot == invalid_slot)
-            continue;
-          // Both are the same on the wall.
-          double *here     = field.node(slot, node);
-          double *opposite = field.node(image_slot, image.node);
-          double *front    = (is_in_front ? here : opposite);
-          double *behind   = (is_in_front ? opposite : here);
-          for (int lane = 0; lane < n_lanes; ++lane)
-            {
-              if (adds && distance <= 1)
-                front[lane] += signs[lane] * behind[lane];
-              if (distance > 0)
-                behind[lane] = signs[lane] * front[lane];
-              else if (signs[lane] < 0.)
-                front[lane] = 0.;
-            }
+          if (adds)
+            front[lane] += signs[lane] * image[lane];
+          image[lane] = signs[lane] * front[lane];
         }
+    }
+
+    /** On the wall both are the same: what is odd is zero, and what is even twice what is in front. */
+    template <int dim>
+    void
+    reflect_on_wall(const LatticeNode &on_wall,
+                    const bool adds,
+                    const LaneSigns &signs,
+                    NodeNumbers<dim> &field)
+    {
+      double *node = field.node(on_wall.slot, on_wall.number);
+      for (int lane = 0; lane < field.layout().n_lanes; ++lane)
+        if (signs[lane] < 0.)
+          node[lane] = 0.;
+        else if (adds)
+          node[lane] *= 2.;
     }
 
     template <int dim>
@@ -77,13 +70,14 @@ namespace magmpm
       for (int face = 0; face < 2 * dim; ++face)
         if (walls.is_mirror[face])
           {
-            const int axis             = face / 2;
-            const bool is_lower        = (face % 2 == 0);
-            const int wall             = (is_lower ? 0 : walls.n_cells[axis]);
-            const LaneSigns lane_signs = signs(field.layout(), parity, axis);
-            for (int slot = 0; slot < n_slots; ++slot)
-              if (block_edge * blocks.block(slot)[axis] == wall)
-                reflect_in_block(blocks, slot, axis, is_lower, adds, lane_signs, field);
+            const LaneSigns lane_signs = signs(field.layout(), parity, face / 2);
+            for_wall_columns<dim>(
+              blocks, n_slots, walls.n_cells, face, [&](const WallColumn &column) {
+                reflect_on_wall(column.on_wall(), adds, lane_signs, field);
+                for (int i = 1; i < block_edge; ++i)
+                  reflect_node(
+                    column.in_front(i), column.behind(i), adds && i == 1, lane_signs, field);
+              });
           }
     }
   } // namespace

@@ -212,11 +212,13 @@ namespace magmpm
     parameters.lattice = lattice_of_box(declarations, input.box);
     convert_magnetization_curve(declarations, parameters.magnetics);
     for (std::size_t i = 0; i < input.materials.size(); ++i)
-      parameters.materials.push_back(convert_material(
-        declarations,
-        input.material_names[i],
-        input.materials[i],
-        {parameters.magnetics.law, parameters.magnetics.curve.get(), input.temperature}));
+      parameters.materials.push_back(convert_material(declarations,
+                                                      input.material_names[i],
+                                                      input.materials[i],
+                                                      {parameters.lattice.spacing,
+                                                       parameters.magnetics.law,
+                                                       parameters.magnetics.curve.get(),
+                                                       input.temperature}));
     check_shapes(declarations, input.shapes);
     const auto body_shapes = check_bodies(
       declarations, input.material_names, input.shapes, parameters.lattice, parameters.bodies);

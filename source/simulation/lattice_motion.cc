@@ -9,8 +9,6 @@ namespace magmpm
 {
   namespace
   {
-    constexpr Parity at_sticking_walls = {Parity::even, Parity::odd};
-
     /** The largest mass of an undeformed particle [kg]. */
     template <int dim>
     double
@@ -23,23 +21,22 @@ namespace magmpm
     }
 
     template <int dim>
-    MirrorWalls<dim>
-    walls_to_stick_to(const Parameters<dim> &parameters)
-    {
-      MirrorWalls<dim> walls;
-      walls.n_cells = parameters.lattice.n_cells;
-      for (std::size_t face = 0; face < walls.is_mirror.size(); ++face)
-        walls.is_mirror[face] = (parameters.walls.condition[face] == WallCondition::stick);
-      return walls;
-    }
-
-    template <int dim>
     bool
     wants_filter(const Parameters<dim> &parameters)
     {
       return std::any_of(
         parameters.bodies.begin(), parameters.bodies.end(), [&](const BodyParameters<dim> &body) {
           return parameters.material_of(body).transfer == Transfer::fmpm;
+        });
+    }
+
+    template <int dim>
+    bool
+    has_fluids(const Parameters<dim> &parameters)
+    {
+      return std::any_of(
+        parameters.bodies.begin(), parameters.bodies.end(), [&](const BodyParameters<dim> &body) {
+          return parameters.material_of(body).law == MechanicalLaw::viscoelastic_fluid;
         });
     }
 
@@ -61,9 +58,9 @@ namespace magmpm
     , gravity(parameters.gravity)
     , damping_rate(parameters.rest.damping_rate)
     , particle_mass(typical_particle_mass(parameters))
-    , sticking_walls(walls_to_stick_to(parameters))
     , is_filtered(wants_filter(parameters))
     , has_smoothed_bodies(wants_smoothing(parameters))
+    , images(parameters.lattice, parameters.walls, parameters.gravity, has_fluids(parameters))
   {
   }
 
@@ -107,7 +104,8 @@ namespace magmpm
   {
     smooth_volume(partition, bodies);
     particles_to_lattice(bodies, partition.blocks(), lattice, time_step, motion);
-    sum(partition, motion);
+    images.fold_sticking(partition.blocks(), motion);
+    partition.add_ghosts_to_owners(motion);
   }
 
   template <int dim>
@@ -117,6 +115,11 @@ namespace magmpm
                                       SolidContact<dim> &contact,
                                       const double time_step)
   {
+    if (images.are_chosen())
+      {
+        partition.update_ghosts(motion);
+        images.choose_and_fold(partition.blocks(), contact, time_step, motion);
+      }
     update_lattice_momentum(partition.blocks(),
                             boundary,
                             contact,
@@ -159,18 +162,20 @@ namespace magmpm
   void
   LatticeMotion<dim>::sum(const BlockPartition<dim> &partition, NodeField<dim> &momentum) const
   {
-    const BlockSet<dim> &blocks = partition.blocks();
-    add_images(blocks, blocks.size(), sticking_walls, at_sticking_walls, momentum);
+    images.fold_sticking(partition.blocks(), momentum);
     partition.add_ghosts_to_owners(momentum);
+    if (!images.are_chosen())
+      return;
+    partition.update_ghosts(momentum);
+    images.fold_chosen(momentum);
   }
 
   template <int dim>
   void
   LatticeMotion<dim>::copy(const BlockPartition<dim> &partition, NodeField<dim> &velocity) const
   {
-    const BlockSet<dim> &blocks = partition.blocks();
     partition.update_ghosts(velocity);
-    copy_images(blocks, blocks.size(), sticking_walls, at_sticking_walls, velocity);
+    images.unfold(partition.blocks(), velocity);
   }
 
   template <int dim>

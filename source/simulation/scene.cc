@@ -120,7 +120,7 @@ namespace magmpm
     holder.set_time(state.clock.time);
     magnetic.update(state.clock, all_bodies); // Eqs. (25)-(33)
     forces.act(state.clock, all_bodies);
-    fluids.relax(state.clock, decomposition->partition(), all_bodies);
+    fluids.relax(state.clock, decomposition->partition(), holder.bodies().all(), all_bodies);
     transfer_to_lattice(); // Eq. (28)
     update_lattice();      // Eqs. (33), (34)
     holder.advance(state.clock);

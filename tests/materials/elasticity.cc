@@ -15,7 +15,7 @@ namespace
   const NeoHookean<dim> solid = {4e4, 6e4, 2500.};
 
   template <int dim>
-  const ViscoelasticFluid<dim> fluid = {2e5, 3., 1200.};
+  const ViscoelasticFluid<dim> fluid = {2e5, 3., 7., 1200.};
 
   /** A matrix of uniform random numbers in (-size, size), the same in every run. */
   template <int dim>
@@ -259,7 +259,24 @@ TEST_CASE("a sheared fluid resists by its viscosity", "[materials]")
   CHECK(fluid<3>.kirchhoff_stress(0.9, l3)(1, 0) == Approx(0.9 * 21.));
   CHECK(fluid<3>.von_mises_stress(0.9, l3) == Approx(std::sqrt(3.) * 21.));
   CHECK(fluid<2>.von_mises_stress(0.9, l2) == Approx(std::sqrt(3.) * 21.));
-  CHECK(fluid<3>.viscosity() == 3.);
+}
+
+TEMPLATE_TEST_CASE_SIG("a fluid that expands is held back by its bulk viscosity",
+                       "[materials]",
+                       ((int dim), dim),
+                       2,
+                       3)
+{
+  // div v = 5 dim/s at J = 1, zeta = 7 Pa s and mu_N = 3 Pa s: 2 mu_N 5/s + 35 dim Pa along each axis. A wave
+  // along x, (5, 0, 0)/s, has 2 mu_N 5 + 7 5 Pa across its fronts, as with a shear viscosity of 6.5 Pa s alone.
+  const Matrix<dim> even = fluid<dim>.kirchhoff_stress(1., 5. * identity<dim>());
+  for (int i = 0; i < dim; ++i)
+    CHECK(even(i, i) == Approx(30. + 35. * dim));
+  Matrix<dim> wave;
+  wave(0, 0) = 5.;
+  CHECK(fluid<dim>.kirchhoff_stress(1., wave)(0, 0) == Approx(2. * fluid<dim>.viscosity() * 5.));
+  CHECK(fluid<dim>.viscosity() == 6.5);
+  CHECK(fluid<dim>.cauchy_stress_out_of_plane(1., wave) == Approx(35.));
 }
 
 TEST_CASE("sound in a fluid is as fast as pressure rises with density", "[materials]")
@@ -298,6 +315,8 @@ TEST_CASE("materials are made of the parameters of a scene", "[materials]")
   parameters.bulk_modulus  = 3.;
   parameters.viscosity     = 4.;
 
+  parameters.sound_damping_length = 0.1;
+
   const NeoHookean<3> elastic = make_neo_hookean<3>(parameters, 5.);
   CHECK(elastic.shear_modulus == 1.);
   CHECK(elastic.lame_lambda == 2.);
@@ -306,7 +325,8 @@ TEST_CASE("materials are made of the parameters of a scene", "[materials]")
 
   const ViscoelasticFluid<2> liquid = make_viscoelastic_fluid<2>(parameters, 6.);
   CHECK(liquid.bulk_modulus == 3.);
-  CHECK(liquid.viscosity() == 4.);
+  CHECK(liquid.bulk_viscosity == Approx(0.1 * 6. * std::sqrt(3. / 6.)));
+  CHECK(liquid.viscosity() == Approx(4. + 0.5 * liquid.bulk_viscosity));
   CHECK(liquid.density == 6.);
   CHECK(!ViscoelasticFluid<2>::stores_deformation_gradient);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <magmpm/boundary/rigid_body.h>
 #include <magmpm/coupling/clock.h>
 #include <magmpm/coupling/coupling.h>
 #include <magmpm/coupling/density_relaxation.h>
@@ -14,8 +15,8 @@
 namespace magmpm
 {
   /**
-   * Draws the J of fluids towards that of the lattice every few steps, see density_relaxation.h. A scene
-   * without fluids pays nothing.
+   * Mends the density of fluids and takes the noise out of J every few steps, see density_relaxation.h. A
+   * scene without fluids pays nothing.
    */
   template <int dim>
   class FluidDensity : public Coupling
@@ -24,9 +25,12 @@ namespace magmpm
     /** @param open  faces of the box that are no walls. */
     FluidDensity(const Lattice<dim> &lattice, const OpenFaces<dim> &open);
 
-    /** Collective. */
+    /** @param rigid_bodies  where they are now. Collective. */
     void
-    relax(const Clock &clock, const BlockPartition<dim> &partition, std::vector<Body<dim>> &bodies);
+    relax(const Clock &clock,
+          const BlockPartition<dim> &partition,
+          const std::vector<RigidBody<dim>> &rigid_bodies,
+          std::vector<Body<dim>> &bodies);
 
     void
     reduce(parallel::Reduction &reduction) override;
@@ -47,12 +51,32 @@ namespace magmpm
     load(const std::string &bytes) override;
 
   private:
+    /** The claims on nodes, by bulk modulus, ghosts up to date. */
+    std::vector<NodeField<dim, NodeClaims>>
+    sum_claims(const std::vector<double> &moduli,
+               const BlockPartition<dim> &partition,
+               std::vector<Body<dim>> &bodies) const;
+
+    /** psi on nodes, ghosts up to date. */
+    NodeField<dim, SingleScalar>
+    sum_fractions(const std::vector<NodeField<dim, NodeClaims>> &claims,
+                  const BlockPartition<dim> &partition,
+                  const std::vector<RigidBody<dim>> &rigid_bodies) const;
+
+    /** Takes the noise out of J. */
+    void
+    smooth(const double bulk_modulus,
+           const NodeField<dim, NodeClaims> &claims,
+           const Residuals &residuals,
+           const BlockPartition<dim> &partition,
+           std::vector<Body<dim>> &bodies) const;
+
     const Lattice<dim> lattice;
-    const OpenFaces<dim> open;
+    const MirrorWalls<dim> walls;
     bool relaxed_this_step = false;
     DensityError found; ///< by the last relaxation
 
-    /** |J - J of the lattice| before it, of particles that are not next to a free surface. */
+    /** Mean of |psi - 1| before it, over particles that are not next to a free surface. */
     double mean_error = 0.;
   };
 } // namespace magmpm

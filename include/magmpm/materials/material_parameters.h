@@ -48,12 +48,13 @@ namespace magmpm
   struct MaterialParameters
   {
     std::string name;
-    MechanicalLaw law    = MechanicalLaw::neo_hookean;
-    double shear_modulus = 0.; ///< mu [Pa], solid
-    double lame_lambda   = 0.; ///< lambda [Pa], solid
-    double bulk_modulus  = 0.; ///< K [Pa], fluid
-    double viscosity     = 0.; ///< mu_N [Pa s], fluid
-    Transfer transfer    = Transfer::apic;
+    MechanicalLaw law           = MechanicalLaw::neo_hookean;
+    double shear_modulus        = 0.; ///< mu [Pa], solid
+    double lame_lambda          = 0.; ///< lambda [Pa], solid
+    double bulk_modulus         = 0.; ///< K [Pa], fluid
+    double viscosity            = 0.; ///< mu_N [Pa s], fluid
+    double sound_damping_length = 0.; ///< bulk viscosity over density and speed of sound [m], fluid
+    Transfer transfer           = Transfer::apic;
 
     MagneticParameters magnetic;
   };

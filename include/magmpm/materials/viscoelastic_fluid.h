@@ -10,9 +10,10 @@ namespace magmpm
 {
   /**
    * Compressible viscous fluid whose pressure follows the volume, Eq. (19-21) of Sun et al. 2021:
-   *   sigma = mu_N (grad v + grad v^T) - K (1 - J) I.
+   *   sigma = mu_N (grad v + grad v^T) - K (1 - J) I + zeta div v I.
    * Compressed (J < 1), its pressure p = K (1 - J) is positive and pushes outwards. The pressure
-   * derives from the energy K/2 (1 - J)^2 per undeformed volume. In 2D: plane strain.
+   * derives from the energy K/2 (1 - J)^2 per undeformed volume. The bulk viscosity zeta damps sound, which is
+   * slower than that of the real fluid and would be heard for ever. In 2D: plane strain.
    *
    * @tparam Number  double, or Simd for several particles at once.
    */
@@ -26,6 +27,7 @@ namespace magmpm
 
     double bulk_modulus;      ///< K [Pa]
     double dynamic_viscosity; ///< mu_N [Pa s]
+    double bulk_viscosity;    ///< zeta [Pa s]
     double density;           ///< undeformed [kg/m^3]
 
     /** The same law for numbers of another type. */
@@ -33,7 +35,7 @@ namespace magmpm
     ViscoelasticFluid<dim, Other>
     with_number() const
     {
-      return {bulk_modulus, dynamic_viscosity, density};
+      return {bulk_modulus, dynamic_viscosity, bulk_viscosity, density};
     }
 
     static State
@@ -69,17 +71,19 @@ namespace magmpm
     {
       Matrix<dim, Number> stress = (volume_ratio * dynamic_viscosity) *
                                    (velocity_gradient + transpose(velocity_gradient));
+      const Number normal = volume_ratio *
+                            cauchy_stress_out_of_plane(volume_ratio, velocity_gradient);
       for (int i = 0; i < dim; ++i)
-        stress(i, i) -= volume_ratio * pressure(volume_ratio);
+        stress(i, i) += normal;
       return stress;
     }
 
-    /** sigma_zz of plane strain [Pa]; used in 2D only. */
+    /** sigma_zz of plane strain [Pa], and what all normal stresses have without shear. */
     Number
     cauchy_stress_out_of_plane(const State &volume_ratio,
-                               const Matrix<dim, Number> & /*velocity_gradient*/) const
+                               const Matrix<dim, Number> &velocity_gradient) const
     {
-      return -pressure(volume_ratio);
+      return bulk_viscosity * trace(velocity_gradient) - pressure(volume_ratio);
     }
 
     /** Von Mises stress of the Cauchy stress [Pa]: that of the viscous part. */
@@ -109,11 +113,11 @@ namespace magmpm
       return volume_ratio * std::sqrt(bulk_modulus / density);
     }
 
-    /** mu_N [Pa s]. */
+    /** Of the shear that is damped as fast as a wave of sound, mu_N + zeta/2 [Pa s]. */
     double
     viscosity() const
     {
-      return dynamic_viscosity;
+      return dynamic_viscosity + 0.5 * bulk_viscosity;
     }
 
     /** p = K (1 - J) [Pa]; negative in tension. */
@@ -129,6 +133,10 @@ namespace magmpm
   inline ViscoelasticFluid<dim>
   make_viscoelastic_fluid(const MaterialParameters &parameters, const double density)
   {
-    return {parameters.bulk_modulus, parameters.viscosity, density};
+    const double wave_speed = std::sqrt(parameters.bulk_modulus / density);
+    return {parameters.bulk_modulus,
+            parameters.viscosity,
+            parameters.sound_damping_length * density * wave_speed,
+            density};
   }
 } // namespace magmpm

@@ -18,6 +18,7 @@ namespace magmpm
     double youngs_modulus = 0., poisson_ratio = 0.; ///< either these
     double shear_modulus = 0., lame_lambda = 0.;    ///< or these
     double bulk_modulus = 0., viscosity = 0.;
+    double sound_damping = 0.1;
     std::optional<Transfer> transfer; ///< none: that of the law
 
     double saturation_magnetization = 0., initial_susceptibility = 0.; ///< either these
@@ -31,8 +32,9 @@ namespace magmpm
                    MaterialInput &material);
 
   /** What all materials of a scene share. */
-  struct MagneticSetting
+  struct MaterialSetting
   {
+    double lattice_spacing; ///< dx [m]
     MagnetizationLaw law;
     const MagnetizationCurve *curve; ///< null unless the law is table
     double temperature;              ///< [K]
@@ -43,5 +45,5 @@ namespace magmpm
   convert_material(const ParameterRegister &declarations,
                    const std::string &name,
                    const MaterialInput &input,
-                   const MagneticSetting &setting);
+                   const MaterialSetting &setting);
 } // namespace magmpm

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <magmpm/boundary/lattice_boundary.h>
+#include <magmpm/boundary/wall_images.h>
 #include <magmpm/lattice/node_field.h>
 #include <magmpm/mesh/block_partition.h>
 #include <magmpm/parameters/parameters.h>
@@ -12,9 +13,8 @@
 namespace magmpm
 {
   /**
-   * Momentum and velocity on the lattice in a step, from the particles and back to them. At walls where
-   * material sticks the lattice goes on as an image that moves the other way: a B-spline that the wall
-   * cuts has its full support, and the clamp is where the wall is.
+   * Momentum and velocity on the lattice in a step, from the particles and back to them, with images behind
+   * walls, see WallImages.
    */
   template <int dim>
   class LatticeMotion
@@ -46,7 +46,10 @@ namespace magmpm
                  const double time_step,
                  std::vector<Body<dim>> &bodies);
 
-    /** Eqs. (33), (34): velocities, as gravity, damping, walls and scripted bodies leave them, on owned nodes. */
+    /**
+     * Eqs. (33), (34): velocities, as gravity, damping, walls and scripted bodies leave them, on owned nodes.
+     * Collective.
+     */
     void
     update_velocity(const BlockPartition<dim> &partition,
                     const LatticeBoundary<dim> &boundary,
@@ -87,7 +90,7 @@ namespace magmpm
                    std::vector<Body<dim>> &bodies) const;
 
   private:
-    /** Adds ghosts to their owners, with the images behind walls that material sticks to. */
+    /** Adds ghosts to their owners, with the images behind walls once these are chosen. */
     void
     sum(const BlockPartition<dim> &partition, NodeField<dim> &momentum) const;
 
@@ -99,9 +102,10 @@ namespace magmpm
     const Vector<dim> gravity;
     const double damping_rate;
     const double particle_mass;
-    const MirrorWalls<dim> sticking_walls;
     const bool is_filtered; ///< whether any body wants P v
     const bool has_smoothed_bodies;
+
+    WallImages<dim> images;
 
     NodeField<dim> motion;
     NodeField<dim> unconstrained; ///< velocities without walls and bodies; used if is_filtered
