@@ -1,4 +1,3 @@
-#include <magmpm/boundary/momentum_update.h>
 #include <magmpm/boundary/rigid_collision.h>
 #include <magmpm/boundary/touched_nodes.h>
 #include <magmpm/parallel/reduce.h>
@@ -101,7 +100,6 @@ namespace magmpm
                                const LatticeBoundary<dim> &boundary,
                                const SolidContact<dim> &contact,
                                const double time_step,
-                               const double typical_mass,
                                const MPI_Comm communicator,
                                std::vector<RigidBody<dim>> &bodies,
                                NodeField<dim> &field,
@@ -112,7 +110,7 @@ namespace magmpm
     const std::vector<RigidContact<dim>> contacts = search.find(bodies, time_step);
     separate_overlaps(contacts, tolerated_overlap * lattice.spacing, bodies);
 
-    TouchedNodes<dim> nodes(bodies, contact, blocks, lattice, negligible_mass(typical_mass), field);
+    TouchedNodes<dim> nodes(bodies, contact, blocks, lattice, field);
     std::vector<RigidVector<dim>> motions(bodies.size());
     for (std::size_t b = 0; b < bodies.size(); ++b)
       motions[b] = rigid_vector<dim>(bodies[b].motion().velocity,

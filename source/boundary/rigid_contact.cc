@@ -1,5 +1,3 @@
-#include <deal.II/lac/full_matrix.h>
-
 #include <magmpm/boundary/rigid_contact.h>
 
 #include <limits>
@@ -18,22 +16,6 @@ namespace magmpm
     {
       return contact.condition == ContactCondition::stick ? std::numeric_limits<double>::infinity()
                                                           : contact.friction;
-    }
-
-    template <int n>
-    Matrix<n>
-    inverse(const Matrix<n> &matrix)
-    {
-      dealii::FullMatrix<double> full(n, n);
-      for (int i = 0; i < n; ++i)
-        for (int j = 0; j < n; ++j)
-          full(i, j) = matrix(i, j);
-      full.gauss_jordan();
-      Matrix<n> result;
-      for (int i = 0; i < n; ++i)
-        for (int j = 0; j < n; ++j)
-          result(i, j) = full(i, j);
-      return result;
     }
 
     /** A contact, how easily it gives way, and its impulse so far. */

@@ -31,11 +31,8 @@ namespace magmpm
 
   template <int dim>
   bool
-  SolidContact<dim>::has_surfaces() const
+  SolidContact<dim>::has_bodies() const
   {
-    for (int face = 0; face < 2 * dim; ++face)
-      if (has_wall(face))
-        return true;
     return std::any_of(bodies.begin(), bodies.end(), [](const auto &body) {
       return body.contact().condition != ContactCondition::none;
     });

@@ -1,3 +1,5 @@
+#include <magmpm/boundary/fluid_contact.h>
+#include <magmpm/boundary/momentum_update.h>
 #include <magmpm/coupling/contact_sums.h>
 #include <magmpm/coupling/density_relaxation.h>
 #include <magmpm/coupling/magnet_bodies.h>
@@ -10,14 +12,14 @@ namespace magmpm
   namespace
   {
     /**
-     * How deep particles may lie in a rigid body, in dx: those pressed against it do, by less than this. Solids
-     * are pressed out by contact the harder the deeper they are.
+     * How deep particles may lie in a rigid body, in dx. Solids are pressed out by contact the harder the deeper
+     * they are; fluids end at the surface.
      */
     template <int dim>
     double
     tolerated_depth(const Body<dim> &body)
     {
-      return body.particles.n_components(ParticleProperty::half_extent) > 0 ? 1. : 0.5;
+      return body.particles.n_components(ParticleProperty::half_extent) > 0 ? 1. : 0.;
     }
 
     /** Points of the bodies' surfaces where they touch each other. */
@@ -47,7 +49,7 @@ namespace magmpm
     , reactions(reactions)
     , communicator(communicator)
     , rigid_bodies(all_bodies(parameters, external_field))
-    , boundary(parameters.lattice, parameters.walls, rigid_bodies.all())
+    , boundary(parameters.lattice, parameters.walls)
     , solid_contact(parameters.lattice, parameters.walls, rigid_bodies.all())
     , collision(parameters.lattice,
                 parameters.walls,
@@ -87,19 +89,34 @@ namespace magmpm
   template <int dim>
   void
   RigidBodyCoupling<dim>::collide(const Clock &clock,
-                                  const BlockSet<dim> &blocks,
+                                  const BlockPartition<dim> &partition,
+                                  const bool has_fluids,
                                   const double typical_particle_mass,
                                   NodeField<dim> &field,
                                   NodeField<dim> &unconstrained)
   {
-    if (!rigid_bodies.any_is_free())
+    const bool meets_fluids = has_fluids && solid_contact.has_bodies();
+    if (!rigid_bodies.any_is_free() && !meets_fluids)
       return;
     accelerate(clock.time_step);
-    collision.collide(blocks,
+    if (meets_fluids)
+      {
+        partition.update_ghosts(field);
+        FluidContact<dim> fluid(find_fluid_constraints(rigid_bodies.all(),
+                                                       solid_contact,
+                                                       parameters.walls,
+                                                       partition.blocks(),
+                                                       parameters.lattice,
+                                                       negligible_mass(typical_particle_mass),
+                                                       field,
+                                                       communicator));
+        fluid.solve(rigid_bodies.all());
+        fluid.apply(partition.blocks(), boundary, field, unconstrained);
+      }
+    collision.collide(partition.blocks(),
                       boundary,
                       solid_contact,
                       clock.time_step,
-                      typical_particle_mass,
                       communicator,
                       rigid_bodies.all(),
                       field,

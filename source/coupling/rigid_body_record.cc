@@ -26,7 +26,8 @@ namespace magmpm
   void
   RigidBodyCoupling<dim>::limit_step(StepConditions &conditions) const
   {
-    conditions.collider_speed     = boundary.max_speed();
+    for (const RigidBody<dim> &body : rigid_bodies.all())
+      conditions.collider_speed = std::max(conditions.collider_speed, body.max_speed());
     conditions.rotation_rate      = 0.;
     conditions.rigid_acceleration = 0.;
     if (!rigid_bodies.any_is_free())

@@ -167,7 +167,8 @@ namespace magmpm
                                    holder.contact(),
                                    state.clock.time_step);
     holder.collide(state.clock,
-                   decomposition->blocks(),
+                   decomposition->partition(),
+                   has_fluid(all_bodies),
                    lattice_motion.typical_mass(),
                    lattice_motion.field(),
                    lattice_motion.unconstrained_field());

@@ -25,7 +25,7 @@ namespace
   {
     const BlockSet<2> blocks({{0, 0}, {1, 0}}, 1); // the second is a ghost
     const std::vector<RigidBody<2>> no_bodies;
-    const LatticeBoundary<2> boundary(test_lattice(), WallParameters<2>(), no_bodies);
+    const LatticeBoundary<2> boundary(test_lattice(), WallParameters<2>());
     NodeField<2> field;
     field.reinit(blocks.size());
     double *lanes = field.node(blocks.slot(block_of<2>(node)), (node[0] & 3) + 4 * (node[1] & 3));

@@ -1,42 +1,31 @@
 #pragma once
 
-#include <magmpm/boundary/rigid_body.h>
+#include <magmpm/boundary/surface_contact.h>
 #include <magmpm/boundary/wall_parameters.h>
 #include <magmpm/lattice/lattice.h>
-
-#include <vector>
 
 namespace magmpm
 {
   /**
-   * What walls and kinematic rigid bodies, such as solid magnets, do to the velocity of a lattice
-   * node, Eq. (34): a condition on the node, not on the particle. Walls act on nodes on or beyond the
-   * faces of the mechanical box, bodies on nodes inside their surface, relative to their own motion.
-   * Free bodies are the business of RigidCollision.
+   * What walls do to the velocity of a lattice node on or beyond the faces of the mechanical box, Eq. (34): a
+   * condition on the node, not on the particle.
    *
-   * stick: the node moves with the surface; slip: not through it; separate: not into it; bodies with
-   * friction along it (contact_share()).
+   * stick: the node does not move; slip: not through the wall; separate: not into it; with friction along it
+   * (contact_share()).
    */
   template <int dim>
   class LatticeBoundary
   {
   public:
-    /** @param bodies  where they are at the moment of a call. */
-    LatticeBoundary(const Lattice<dim> &lattice,
-                    const WallParameters<dim> &walls,
-                    const std::vector<RigidBody<dim>> &bodies);
+    LatticeBoundary(const Lattice<dim> &lattice, const WallParameters<dim> &walls);
 
-    /** The velocity [m/s] that the boundaries leave to a node. */
+    /** The velocity [m/s] that walls leave to a node. */
     Vector<dim>
     constrained(const Index<dim> &node, Vector<dim> velocity) const;
 
     /** The velocity that walls leave to a node of solids: those that let go or slip are a matter of SolidContact. */
     Vector<dim>
     at_sticking_walls(const Index<dim> &node, const Vector<dim> &velocity) const;
-
-    /** The speed of the fastest rigid body [m/s], which limits the time step as that of particles does. */
-    double
-    max_speed() const;
 
   private:
     /** Whether a node lies on or beyond a face of the box. */
@@ -49,6 +38,5 @@ namespace magmpm
 
     const Lattice<dim> lattice;
     const WallParameters<dim> walls;
-    const std::vector<RigidBody<dim>> &bodies;
   };
 } // namespace magmpm

@@ -14,10 +14,10 @@
 namespace magmpm
 {
   /**
-   * What free rigid bodies and the material on the lattice do to each other in a step, together with
-   * what bodies and walls do to bodies: an inelastic impact, all of it at once.
+   * What free rigid bodies and solids on the lattice do to each other in a step, together with what bodies
+   * and walls do to bodies: an inelastic impact, all of it at once.
    *
-   * A node i inside a body leaves the impact with v_i + D_i (u_i - v_i), where u_i is the velocity of
+   * A node i that the surface of a body holds or rubs (SolidContact::touched_nodes()) leaves the impact with v_i + D_i (u_i - v_i), where u_i is the velocity of
    * the body at the node after it and D_i the part of the relative velocity that contact takes away
    * (contact_share()): I for stick, n n^T for slip, nothing where separate lets go, and of the
    * tangential part as much as Coulomb's law allows. The body gets the opposite impulse, so that its
@@ -29,8 +29,7 @@ namespace magmpm
    * bodies and nodes are conserved to rounding whatever the D_i are, energy never grows, and nothing
    * limits the ratio of the masses.
    *
-   * A node inside several free bodies belongs to the one that it is deepest in. Nodes that SolidContact acts
-   * on are none of them: of these the bodies get the impulses, another b_0.
+   * Of what SolidContact pressed on, bodies get the impulses, another b_0. Fluids: see FluidContact.
    */
   template <int dim>
   class RigidCollision
@@ -46,13 +45,12 @@ namespace magmpm
                    const double spacing_of_points);
 
     /**
-     * Changes the motion of free bodies and the velocity of the owned nodes inside them. Nothing
+     * Changes the motion of free bodies and the velocity of the owned nodes that these touch. Nothing
      * happens without free bodies. Collective.
      *
      * @param bodies        those that were given to the constructor, the same on all ranks.
      * @param boundary      has the last word on the nodes.
      * @param contact       what it gave to bodies on the ranks, they get.
-     * @param typical_mass  nodes with less than 1e-12 of it are left alone [kg].
      * @param field         {velocity [m/s], mass [kg]}.
      * @param unconstrained as of update_lattice_momentum().
      * @return iterations that it took.
@@ -62,7 +60,6 @@ namespace magmpm
             const LatticeBoundary<dim> &boundary,
             const SolidContact<dim> &contact,
             const double time_step,
-            const double typical_mass,
             const MPI_Comm communicator,
             std::vector<RigidBody<dim>> &bodies,
             NodeField<dim> &field,

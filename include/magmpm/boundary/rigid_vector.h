@@ -46,4 +46,9 @@ namespace magmpm
   {
     return rigid_vector<dim>(impulse, cross(from_centre, impulse));
   }
+
+  /** Of a matrix that has one. */
+  template <int n>
+  Matrix<n>
+  inverse(const Matrix<n> &matrix);
 } // namespace magmpm

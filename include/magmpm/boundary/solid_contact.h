@@ -48,9 +48,19 @@ namespace magmpm
       return bodies;
     }
 
+    /** Whether any rigid body has a surface. */
+    bool
+    has_bodies() const;
+
     /** Whether there is any surface. */
     bool
-    has_surfaces() const;
+    has_surfaces() const
+    {
+      bool result = has_bodies();
+      for (int face = 0; face < 2 * dim; ++face)
+        result = result || has_wall(face);
+      return result;
+    }
 
     /** From now on there is no contact, until somebody fills sums(). @param n_blocks  0: there will be none. */
     void

@@ -12,20 +12,16 @@
 
 namespace magmpm
 {
-  /** The owned lattice nodes with mass inside free bodies, and what contact does to them. */
+  /** The owned nodes of solids that touch free bodies, and what these do to them beyond SolidContact. */
   template <int dim>
   class TouchedNodes
   {
   public:
-    /**
-     * The nodes inside bodies, apart from those that @p contact acts on, and those that it says are touched.
-     * Nodes with no more than @p negligible_mass [kg] do not count.
-     */
+    /** Those that @p contact says are touched. */
     TouchedNodes(const std::vector<RigidBody<dim>> &bodies,
                  const SolidContact<dim> &contact,
                  const BlockSet<dim> &blocks,
                  const Lattice<dim> &lattice,
-                 const double negligible_mass,
                  const NodeField<dim> &field);
 
     /** Decides what contact takes away at each node, if the bodies move with @p motions. */
@@ -60,24 +56,9 @@ namespace magmpm
       Vector<dim> velocity;    ///< before the impact [m/s]
       double mass;             ///< [kg]
       ContactShare share;
-      bool is_solid   = false; ///< pressed as SolidContact says, not by its being inside
-      bool is_held    = false; ///< of a solid: may not leave
-      double pressing = 0.;    ///< of a solid: normal impulse that it got already [N s]
+      bool is_held    = false; ///< may not leave
+      double pressing = 0.;    ///< normal impulse that it got already [N s]
     };
-
-    void
-    add_solids(const std::vector<RigidBody<dim>> &bodies,
-               const SolidContact<dim> &contact,
-               const BlockSet<dim> &blocks,
-               const Lattice<dim> &lattice,
-               const NodeField<dim> &field);
-
-    /** Adds @p node if it lies inside one of the bodies @p near. */
-    void
-    add_if_touched(const std::vector<RigidBody<dim>> &bodies,
-                   const std::vector<int> &near,
-                   const Vector<dim> &position,
-                   Node node);
 
     std::vector<Node> nodes;
   };

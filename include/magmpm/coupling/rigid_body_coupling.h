@@ -124,7 +124,7 @@ namespace magmpm
 
     /**
      * Gives free bodies the impulses of gravity and magnetic force, and lets bodies and material collide.
-     * Collective if there are free bodies.
+     * Collective if there are free bodies, or fluids and bodies that these touch.
      *
      * @param typical_particle_mass  [kg]
      * @param field                  {velocity [m/s], mass [kg]} on owned nodes.
@@ -132,7 +132,8 @@ namespace magmpm
      */
     void
     collide(const Clock &clock,
-            const BlockSet<dim> &blocks,
+            const BlockPartition<dim> &partition,
+            const bool has_fluids,
             const double typical_particle_mass,
             NodeField<dim> &field,
             NodeField<dim> &unconstrained);

@@ -1,16 +1,9 @@
 #pragma once
 
-#include <magmpm/lattice/block_set.h>
+#include <magmpm/lattice/lattice_node.h>
 
 namespace magmpm
 {
-  /** A node of the active blocks. */
-  struct LatticeNode
-  {
-    int slot;
-    int number; ///< in the block, 0 .. 4^dim - 1
-  };
-
   /**
    * The nodes of a line across a wall of the box: one on the wall, those in front of it, where material is,
    * and their mirror images behind it.
