@@ -13,10 +13,10 @@ using namespace magmpm::verification;
 
 TEST_CASE("Shaken water keeps its volume", "[program]")
 {
-  // A tank half full of water, in gravity that leans over, for 1e4 steps: waves, splashes, and what the
-  // lattice does not resolve mixes the particles. Without relaxation the mean |J - J of the lattice| is
-  // 11 % by the end and the centre of mass has sunk from 0.08 to 0.071 m; so the one must stay under
-  // 1 %, and the other within the swing of the waves.
+  // A tank half full of water, in gravity that leans over, for some 1e4 steps: waves, splashes, and what the
+  // lattice does not resolve mixes the particles. Without relaxation particles crowd, and the centre of mass
+  // sinks from 0.08 to 0.071 m; so the mean error of the claimed fraction must stay under 1 %, the height within
+  // the swing of the waves, and J of all particles near the 0.95 of the floor and the 1 of the surface.
   ParameterText scene;
   scene.end_time = "6.5";
   scene.gravity  = "3, -9.81";
@@ -29,7 +29,7 @@ TEST_CASE("Shaken water keeps its volume", "[program]")
   INFO(run.errors);
   REQUIRE(run.exit_code == 0);
   const Statistics statistics("output-shaken");
-  REQUIRE(statistics.last("step") > 1e4);
+  REQUIRE(statistics.last("step") > 9e3);
   double error = 0., height = 0., volume = 0.;
   const std::size_t n = statistics.n_rows();
   for (std::size_t row = n / 2; row < n; ++row)
@@ -38,11 +38,11 @@ TEST_CASE("Shaken water keeps its volume", "[program]")
       height += 2. * statistics["centre of mass y [m]"][row] / n;
       volume = std::max(volume, statistics["max J [-]"][row]);
     }
-  INFO("mean |J - J of the lattice| " << error << ", mean height " << height);
+  INFO("mean |psi - 1| " << error << ", mean height " << height << ", J to " << volume);
   CHECK(error < 0.01);
   CHECK(error > 1e-4);
   CHECK(height > 0.075);
   CHECK(height < 0.095);
-  CHECK(volume < 1.5);
+  CHECK(volume < 1.1);
   CHECK(statistics.last("lost particles") == 0.);
 }
