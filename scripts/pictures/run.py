@@ -81,8 +81,8 @@ class Run:
 
     def stands_on_ground(self):
         """Whether gravity pulls down onto a wall."""
-        gravity = self.parameters.get("Gravity", "").split(",")
-        return float(gravity[-1] or 0) < 0 and self.parameters.get("Walls/Lower z") != "open"
+        gravity = re.split("[,;]", self.parameters.get("Gravity", ""))  # it may be expressions of t
+        return gravity[-1].strip().startswith("-") and self.parameters.get("Walls/Lower z") != "open"
 
     def particles(self, frame):
         """The particles of a frame as VTK's grid; the latest frame asked for is kept."""

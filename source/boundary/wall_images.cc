@@ -7,11 +7,9 @@ namespace magmpm
   template <int dim>
   WallImages<dim>::WallImages(const Lattice<dim> &lattice,
                               const WallParameters<dim> &walls,
-                              const Vector<dim> &gravity,
                               const bool has_fluids)
     : lattice(lattice)
     , walls(walls)
-    , gravity(gravity)
   {
     for (const WallCondition condition : walls.condition)
       if (has_fluids && (condition == WallCondition::slip || condition == WallCondition::separate))
@@ -71,21 +69,21 @@ namespace magmpm
   bool
   WallImages<dim>::leaves(const LatticeNode &on_wall,
                           const int face,
-                          const double time_step,
+                          const Vector<dim> &velocity_gain,
                           const NodeField<dim> &momentum) const
   {
     const int axis      = face / 2;
     const double inward = (face % 2 == 0 ? 1. : -1.);
     const double normal = momentum.get(NodeMotion::momentum, on_wall.slot, on_wall.number)[axis];
     const double mass   = momentum.get(NodeMotion::mass, on_wall.slot, on_wall.number);
-    return inward * (normal + mass * time_step * gravity[axis]) > 0.;
+    return inward * (normal + mass * velocity_gain[axis]) > 0.;
   }
 
   template <int dim>
   void
   WallImages<dim>::choose_and_fold(const BlockSet<dim> &blocks,
                                    const SolidContact<dim> &contact,
-                                   const double time_step,
+                                   const Vector<dim> &velocity_gain,
                                    NodeField<dim> &momentum)
   {
     chosen.clear();
@@ -99,7 +97,7 @@ namespace magmpm
             if (momentum.get(NodeMotion::mass, behind.slot, behind.number) == 0. ||
                 contact.acts_on(on_wall.slot, on_wall.number, mass) ||
                 (walls.condition[face] == WallCondition::separate &&
-                 leaves(on_wall, face, time_step, momentum)))
+                 leaves(on_wall, face, velocity_gain, momentum)))
               return;
             chosen.push_back({column, face});
             fold(column, face, momentum);

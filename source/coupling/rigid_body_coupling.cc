@@ -98,7 +98,7 @@ namespace magmpm
     const bool meets_fluids = has_fluids && solid_contact.has_bodies();
     if (!rigid_bodies.any_is_free() && !meets_fluids)
       return;
-    accelerate(clock.time_step);
+    accelerate(clock);
     if (meets_fluids)
       {
         partition.update_ghosts(field);
@@ -125,8 +125,9 @@ namespace magmpm
 
   template <int dim>
   void
-  RigidBodyCoupling<dim>::accelerate(const double time_step)
+  RigidBodyCoupling<dim>::accelerate(const Clock &clock)
   {
+    const Vector<dim> gravity                     = parameters.gravity(clock.time);
     const std::vector<ForceAndTorque<dim>> forces = forces_on_free_magnets();
     for (std::size_t b = 0; b < rigid_bodies.all().size(); ++b)
       {
@@ -134,8 +135,8 @@ namespace magmpm
         if (!body.is_free())
           continue;
         const ForceAndTorque<dim> magnetic = magnetic_force(b, forces);
-        body.add_impulse(time_step * (magnetic.force + body.mass() * parameters.gravity),
-                         time_step * magnetic.torque);
+        body.add_impulse(clock.time_step * (magnetic.force + body.mass() * gravity),
+                         clock.time_step * magnetic.torque);
       }
   }
 

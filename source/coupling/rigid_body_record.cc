@@ -28,8 +28,8 @@ namespace magmpm
   {
     for (const RigidBody<dim> &body : rigid_bodies.all())
       conditions.collider_speed = std::max(conditions.collider_speed, body.max_speed());
-    conditions.rotation_rate      = 0.;
-    conditions.rigid_acceleration = 0.;
+    conditions.rotation_rate = 0.;
+    const double gravity     = conditions.rigid_acceleration;
     if (!rigid_bodies.any_is_free())
       return;
     const std::vector<ForceAndTorque<dim>> forces = forces_on_free_magnets();
@@ -42,7 +42,7 @@ namespace magmpm
         const double inertia               = smallest_diagonal(body.inertia());
         conditions.rigid_acceleration =
           std::max(conditions.rigid_acceleration,
-                   norm(parameters.gravity) + norm(magnetic.force) / body.mass() +
+                   gravity + norm(magnetic.force) / body.mass() +
                      body.bounding_radius() * norm(magnetic.torque) / inertia);
         conditions.rotation_rate = std::max(
           {conditions.rotation_rate,

@@ -1,4 +1,5 @@
 #include <magmpm/base/number_text.h>
+#include <magmpm/motion/expression.h>
 #include <magmpm/parameters/attraction_section.h>
 #include <magmpm/parameters/body_section.h>
 #include <magmpm/parameters/checkpoint_section.h>
@@ -37,8 +38,13 @@ namespace magmpm
                        "Simulated time at which the run ends.",
                        positive,
                        Presence::required);
-      parameters.gravity[dim - 1] = -9.81;
-      declarations.add("Gravity", parameters.gravity, "m/s^2", "Acceleration of gravity.");
+      input.gravity = (dim == 2 ? "0, -9.81" : "0, 0, -9.81");
+      declarations.add(
+        "Gravity",
+        input.gravity,
+        "m/s^2",
+        "Acceleration of gravity g(t); in a tank that is shaken less the tank's own. "
+        "Numbers or expressions of t [s], separated by commas or semicolons.");
       declarations.add("Output directory",
                        parameters.output.directory,
                        "-",
@@ -210,6 +216,7 @@ namespace magmpm
            Parameters<dim> &parameters)
   {
     parameters.lattice = lattice_of_box(declarations, input.box);
+    parameters.gravity = read_expression<dim>(input.gravity, declarations.where("Gravity"));
     convert_magnetization_curve(declarations, parameters.magnetics);
     for (std::size_t i = 0; i < input.materials.size(); ++i)
       parameters.materials.push_back(convert_material(declarations,

@@ -60,7 +60,7 @@ namespace magmpm
     , particle_mass(typical_particle_mass(parameters))
     , is_filtered(wants_filter(parameters))
     , has_smoothed_bodies(wants_smoothing(parameters))
-    , images(parameters.lattice, parameters.walls, parameters.gravity, has_fluids(parameters))
+    , images(parameters.lattice, parameters.walls, has_fluids(parameters))
   {
   }
 
@@ -110,21 +110,23 @@ namespace magmpm
 
   template <int dim>
   void
-  LatticeMotion<dim>::update_velocity(const BlockPartition<dim> &partition,
+  LatticeMotion<dim>::update_velocity(const Clock &clock,
+                                      const BlockPartition<dim> &partition,
                                       const LatticeBoundary<dim> &boundary,
-                                      SolidContact<dim> &contact,
-                                      const double time_step)
+                                      SolidContact<dim> &contact)
   {
+    const Vector<dim> acceleration = gravity(clock.time);
     if (images.are_chosen())
       {
         partition.update_ghosts(motion);
-        images.choose_and_fold(partition.blocks(), contact, time_step, motion);
+        images.choose_and_fold(
+          partition.blocks(), contact, clock.time_step * acceleration, motion);
       }
     update_lattice_momentum(partition.blocks(),
                             boundary,
                             contact,
-                            gravity,
-                            time_step,
+                            acceleration,
+                            clock.time_step,
                             damping_rate,
                             particle_mass,
                             motion,

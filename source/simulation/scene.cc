@@ -162,10 +162,8 @@ namespace magmpm
   Scene<dim>::update_lattice()
   {
     const Scope timed(phase_timer, "Update lattice");
-    lattice_motion.update_velocity(decomposition->partition(),
-                                   holder.lattice_boundary(),
-                                   holder.contact(),
-                                   state.clock.time_step);
+    lattice_motion.update_velocity(
+      state.clock, decomposition->partition(), holder.lattice_boundary(), holder.contact());
     holder.collide(state.clock,
                    decomposition->partition(),
                    has_fluid(all_bodies),
@@ -199,7 +197,7 @@ namespace magmpm
     for (Coupling *coupling : couplings())
       coupling->reduce(reduction);
     if (request.wants_sums)
-      add_sums(reduction);
+      add_sums(reduction, state.clock.time + state.clock.time_step);
     if (request.reduce_along)
       request.reduce_along(reduction);
     reduction.carry_out(communicator);
@@ -222,7 +220,9 @@ namespace magmpm
   Scene<dim>::find_limits(const std::vector<ParticleExtremes> &extremes)
   {
     StepConditions conditions;
-    conditions.acceleration = norm(parameters.gravity);
+    conditions.acceleration =
+      norm(parameters.gravity(state.clock.time + state.clock.time_step)); // when that step begins
+    conditions.rigid_acceleration = conditions.acceleration;
     for (std::size_t b = 0; b < all_bodies.size(); ++b)
       {
         const ParticleExtremes &e = extremes[b];

@@ -19,14 +19,14 @@ namespace magmpm
 
   template <int dim>
   void
-  Scene<dim>::add_sums(parallel::Reduction &reduction)
+  Scene<dim>::add_sums(parallel::Reduction &reduction, const double time)
   {
     state.sums.clear();
     state.fewest_particles = 0.;
     for (const Body<dim> &body : all_bodies)
       {
         state.sums.push_back(particle_sums(
-          body, parameters.lattice, parameters.gravity, parameters.magnetics.model()));
+          body, parameters.lattice, parameters.gravity(time), parameters.magnetics.model()));
         state.fewest_particles += static_cast<double>(body.particles.size());
       }
     for (ParticleSums<dim> &sums : state.sums)
@@ -40,7 +40,7 @@ namespace magmpm
   {
     lattice_motion.smooth_volume(decomposition->partition(), all_bodies);
     parallel::Reduction reduction;
-    add_sums(reduction);
+    add_sums(reduction, state.clock.time);
     reduction.carry_out(communicator);
   }
 
@@ -160,7 +160,7 @@ namespace magmpm
   }
 
 #define INSTANTIATE(dim)                                                         \
-  template void Scene<dim>::add_sums(parallel::Reduction &);                     \
+  template void Scene<dim>::add_sums(parallel::Reduction &, const double);       \
   template void Scene<dim>::find_sums();                                         \
   template ParticleSums<dim> Scene<dim>::total() const;                          \
   template ColumnTable Scene<dim>::columns() const;                              \

@@ -117,9 +117,9 @@ TEMPLATE_TEST_CASE_SIG("Images behind walls are those of a mirror",
   NodeField<dim> field = field_of<dim>(blocks, [&](const Index<dim> &node) {
     return std::make_pair(mass(node), mass(node) * velocity(node));
   });
-  WallImages<dim> images(box_lattice<dim>(), walls, {}, true);
+  WallImages<dim> images(box_lattice<dim>(), walls, true);
   images.fold_sticking(blocks, field);
-  images.choose_and_fold(blocks, no_contact<dim>(walls), 1., field);
+  images.choose_and_fold(blocks, no_contact<dim>(walls), {}, field);
   for_nodes(blocks, [&](const int slot, const int n) {
     const Index<dim> node = node_of_block<dim>(blocks.block(slot), n);
     double twice          = 1.;
@@ -162,8 +162,8 @@ TEST_CASE("What leaves a wall that separates has no images", "[boundary]")
             return node[1] <= 1 ? std::make_pair(2., Vector<2>{{3., 2. * velocity}})
                                 : std::make_pair(0., Vector<2>());
           });
-          WallImages<2> images(box_lattice<2>(), walls, {{0., gravity}}, true);
-          images.choose_and_fold(blocks, no_contact<2>(walls), 1., field);
+          WallImages<2> images(box_lattice<2>(), walls, true);
+          images.choose_and_fold(blocks, no_contact<2>(walls), {{0., gravity}}, field);
           const bool folds = condition == WallCondition::slip || velocity + gravity < 0.;
           for_nodes(blocks, [&](const int slot, const int n) {
             const Index<2> node = node_of_block<2>(blocks.block(slot), n);
@@ -184,9 +184,9 @@ TEST_CASE("Solids have no images in walls that slip", "[boundary]")
 {
   const BlockSet<2> blocks = blocks_of_box<2>();
   const auto walls         = all_walls<2>(WallCondition::slip);
-  CHECK_FALSE(WallImages<2>(box_lattice<2>(), walls, {}, false).are_chosen());
+  CHECK_FALSE(WallImages<2>(box_lattice<2>(), walls, false).are_chosen());
   CHECK_FALSE(
-    WallImages<2>(box_lattice<2>(), all_walls<2>(WallCondition::stick), {}, true).are_chosen());
+    WallImages<2>(box_lattice<2>(), all_walls<2>(WallCondition::stick), true).are_chosen());
   for (const double share : {0.4, 0.6})
     {
       const auto constant     = [](const Index<2> &) { return std::make_pair(2., Vector<2>()); };
@@ -196,8 +196,8 @@ TEST_CASE("Solids have no images in walls that slip", "[boundary]")
       for_nodes(blocks, [&](const int slot, const int n) {
         contact.sums().set(ContactSums::mass, slot, n, share * 2.);
       });
-      WallImages<2> images(box_lattice<2>(), walls, {}, true);
-      images.choose_and_fold(blocks, contact, 1., field);
+      WallImages<2> images(box_lattice<2>(), walls, true);
+      images.choose_and_fold(blocks, contact, {}, field);
       double behind = 0.;
       for_nodes(blocks, [&](const int slot, const int n) {
         if (node_of_block<2>(blocks.block(slot), n)[0] < 0)

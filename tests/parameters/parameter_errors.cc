@@ -163,8 +163,8 @@ TEST_CASE("Messages on values out of range", "[parameters]")
         "Materials/clay/Poisson ratio = 0.5: must be a number above -1 and below 0.5. (Transverse "
         "contraction of a solid, together with Young's modulus.)");
   CHECK(message_with("Gravity=0, -9.81") ==
-        "Gravity = 0, -9.81: must be 3 numbers, separated by commas [m/s^2]. (Acceleration of "
-        "gravity.)");
+        "Gravity: '0, -9.81' has 2 components, not 3. Give 3 expressions of the time t [s], "
+        "separated by semicolons, such as '0.5; 0.5; 0.2 + 0.1*t'.");
   CHECK(message_with("Bodies/cube/Particles per edge=1.5") ==
         "Bodies/cube/Particles per edge = 1.5: must be an integer from 1 to 8. (Particles along an "
         "edge of a lattice cell: 2 means 8 per cell in 3D.)");

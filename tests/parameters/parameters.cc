@@ -119,7 +119,8 @@ TEST_CASE("A parameter file fills the parameters of all rooms", "[parameters]")
   const Parameters<3> scene = read<3>(cube_text);
 
   CHECK(scene.end_time == 0.3);
-  CHECK(scene.gravity[2] == -9.81);
+  CHECK(scene.gravity.is_constant());
+  CHECK(scene.gravity(0.)[2] == -9.81);
   CHECK(scene.lattice.spacing == 1. / 128.);
   CHECK(scene.lattice.n_cells == Index<3>{{128, 128, 64}});
   CHECK(scene.output.directory == "output-scene");
@@ -142,6 +143,15 @@ TEST_CASE("A parameter file fills the parameters of all rooms", "[parameters]")
   CHECK(norm(scene.sources[0].pose(2.).position - Vector<3>{{0.4, 0.4, -0.1}}) < 1e-15);
   CHECK(scene.sources[0].is_solid);
   CHECK(scene.magnet_bodies[0].contact.condition == ContactCondition::slip);
+}
+
+// Gravity is given in numbers, as ever, or as what it is at each time.
+TEST_CASE("Gravity may be expressions of t", "[parameters]")
+{
+  CHECK(read<3>(cube_text, {"Gravity=1, 0, -2"}).gravity.is_constant());
+  const Parameters<3> scene = read<3>(cube_text, {"Gravity=max(0, t); 0; -9.81 + 2*t"});
+  CHECK(scene.gravity(0.5)[0] == 0.5);
+  CHECK(scene.gravity(0.5)[2] == Approx(-8.81));
 }
 
 // Names of shapes become these shapes, also where one is made of another that is listed later: a union of a
@@ -369,7 +379,7 @@ end
   REQUIRE(read_dimension(file) == 2);
   const Parameters<2> scene = read_parameters<2>(file);
   CHECK(scene.lattice.n_cells == Index<2>{{16, 4}});
-  CHECK(scene.gravity[1] == -9.81);
+  CHECK(scene.gravity(0.)[1] == -9.81);
   CHECK(scene.bodies[0].angular_velocity[0] == 7.);
   CHECK(scene.walls.condition[3] == WallCondition::separate);
 }

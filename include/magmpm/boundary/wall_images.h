@@ -29,7 +29,6 @@ namespace magmpm
     /** @param has_fluids  without them slipping and separating walls need no images. */
     WallImages(const Lattice<dim> &lattice,
                const WallParameters<dim> &walls,
-               const Vector<dim> &gravity,
                const bool has_fluids);
 
     /**
@@ -50,13 +49,14 @@ namespace magmpm
      * Chooses the images at walls that slip or separate, and folds there. Where a wall separates a fluid leaves
      * if the node on it, alone, moves inward after forces.
      *
-     * @param contact   with sums of solids; ghosts up to date.
-     * @param momentum  summed over ranks, ghosts up to date.
+     * @param contact        with sums of solids; ghosts up to date.
+     * @param velocity_gain  by gravity in a step [m/s].
+     * @param momentum       summed over ranks, ghosts up to date.
      */
     void
     choose_and_fold(const BlockSet<dim> &blocks,
                     const SolidContact<dim> &contact,
-                    const double time_step,
+                    const Vector<dim> &velocity_gain,
                     NodeField<dim> &momentum);
 
     /** Folds another field where choose_and_fold() did. Ghosts up to date. */
@@ -89,7 +89,7 @@ namespace magmpm
     bool
     leaves(const LatticeNode &on_wall,
            const int face,
-           const double time_step,
+           const Vector<dim> &velocity_gain,
            const NodeField<dim> &momentum) const;
 
     bool
@@ -101,7 +101,6 @@ namespace magmpm
 
     const Lattice<dim> lattice;
     const WallParameters<dim> walls;
-    const Vector<dim> gravity;
     bool any_chosen = false;
     std::vector<ChosenColumn> chosen;
   };

@@ -11,6 +11,7 @@
 #include <magmpm/lattice/node_field.h>
 #include <magmpm/magnets/external_field.h>
 #include <magmpm/mesh/block_partition.h>
+#include <magmpm/motion/time_function.h>
 #include <magmpm/particles/body.h>
 #include <magmpm/particles/box_faces.h>
 
@@ -26,7 +27,7 @@ namespace magmpm
   {
     Lattice<dim> lattice;
     WallParameters<dim> walls;
-    Vector<dim> gravity; ///< [m/s^2]
+    TimeFunction<Vector<dim>> gravity; ///< [m/s^2]
     std::vector<SourceParameters<dim>> sources;
     std::vector<RigidBodyProperties<dim>> magnet_bodies; ///< of each source, if it is a rigid body
     std::vector<RigidBodyParameters<dim>> rigid_bodies;
@@ -202,7 +203,7 @@ namespace magmpm
   private:
     /** The impulses of gravity and magnetic force in a step. */
     void
-    accelerate(const double time_step);
+    accelerate(const Clock &clock);
 
     /** Forces on the sources, if a magnet is free; otherwise nobody needs them, and there are none. */
     std::vector<ForceAndTorque<dim>>

@@ -15,7 +15,7 @@ namespace magmpm
     double kinematic_viscosity = 0.; ///< J mu_N/rho_0 [m^2/s]
     double acceleration = 0.; ///< the sum of the largest ones of all that acts on material [m/s^2]
     double affine_velocity    = 0.; ///< |C| [1/s]
-    double rigid_acceleration = 0.; ///< of free rigid bodies [m/s^2]
+    double rigid_acceleration = 0.; ///< of free rigid bodies, gravity at least [m/s^2]
     double rotation_rate      = 0.; ///< of free rigid bodies: how fast they turn or swing [1/s]
 
     template <typename Archive>

@@ -18,7 +18,8 @@ namespace magmpm
   template <int dim>
   struct ParameterInput
   {
-    int dimension      = dim;
+    int dimension = dim;
+    std::string gravity;       ///< expressions of t [m/s^2]
     double temperature = 300.; ///< of the grains [K]
     BoxInput<dim> box;
     NamedShapes<dim> shapes;

@@ -9,6 +9,7 @@
 #include <magmpm/magnets/source_parameters.h>
 #include <magmpm/materials/material_parameters.h>
 #include <magmpm/mesh/mesh_parameters.h>
+#include <magmpm/motion/time_function.h>
 #include <magmpm/parameters/parameter_file.h>
 #include <magmpm/parameters/run_parameters.h>
 #include <magmpm/particles/body_parameters.h>
@@ -26,9 +27,9 @@ namespace magmpm
   template <int dim>
   struct Parameters
   {
-    Lattice<dim> lattice; ///< of the mechanical box
-    double end_time = 0.; ///< [s]
-    Vector<dim> gravity;  ///< [m/s^2]
+    Lattice<dim> lattice;              ///< of the mechanical box
+    double end_time = 0.;              ///< [s]
+    TimeFunction<Vector<dim>> gravity; ///< [m/s^2]
 
     std::vector<BodyParameters<dim>> bodies;
     std::vector<MaterialParameters> materials;

@@ -2,6 +2,7 @@
 
 #include <magmpm/boundary/lattice_boundary.h>
 #include <magmpm/boundary/wall_images.h>
+#include <magmpm/coupling/clock.h>
 #include <magmpm/lattice/node_field.h>
 #include <magmpm/mesh/block_partition.h>
 #include <magmpm/parameters/parameters.h>
@@ -51,10 +52,10 @@ namespace magmpm
      * Collective.
      */
     void
-    update_velocity(const BlockPartition<dim> &partition,
+    update_velocity(const Clock &clock,
+                    const BlockPartition<dim> &partition,
                     const LatticeBoundary<dim> &boundary,
-                    SolidContact<dim> &contact,
-                    const double time_step);
+                    SolidContact<dim> &contact);
 
     /** {velocity [m/s], mass [kg]}. */
     NodeField<dim> &
@@ -99,7 +100,7 @@ namespace magmpm
     copy(const BlockPartition<dim> &partition, NodeField<dim> &velocity) const;
 
     const Lattice<dim> lattice;
-    const Vector<dim> gravity;
+    const TimeFunction<Vector<dim>> gravity;
     const double damping_rate;
     const double particle_mass;
     const bool is_filtered; ///< whether any body wants P v

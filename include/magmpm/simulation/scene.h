@@ -214,9 +214,9 @@ namespace magmpm
     void
     reduce(const StepRequest &request, std::vector<ParticleExtremes> extremes);
 
-    /** Finds the sums of this rank, of which the reduction makes those of all. */
+    /** Finds the sums of this rank at @p time [s], of which the reduction makes those of all. */
     void
-    add_sums(parallel::Reduction &reduction);
+    add_sums(parallel::Reduction &reduction, const double time);
 
     /** Those of all ranks, of particles at the places where they are sorted to. */
     void
