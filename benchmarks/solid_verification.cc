@@ -7,11 +7,11 @@
 
 #include <magmpm/base/exceptions.h>
 #include <magmpm/base/number_text.h>
-#include <magmpm/base/version.h>
 #include <magmpm/parallel/error_report.h>
 
 #include <deal.II/base/mpi.h>
 
+#include <shared/limit_rows.h>
 #include <verification/mechanics/cantilever.h>
 #include <verification/mechanics/contact.h>
 #include <verification/mechanics/free_beam.h>
@@ -19,8 +19,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <functional>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -30,34 +28,8 @@ using namespace magmpm::verification;
 
 namespace
 {
-  struct Value
-  {
-    std::string name;
-    double value, limit;
-  };
-
-  void
-  print(const Value &value, const bool csv)
-  {
-    if (csv)
-      std::cout << '"' << value.name << "\"," << value.value << ',' << value.limit << std::endl;
-    else
-      {
-        std::printf("%-60s %10.4g  limit %8.4g%s\n",
-                    value.name.c_str(),
-                    value.value,
-                    value.limit,
-                    value.value <= value.limit ? "" : "  MISSED");
-        std::fflush(stdout);
-      }
-  }
-
-  /** A run that gives one value or several. */
-  struct Case
-  {
-    std::string name;
-    std::function<std::vector<Value>()> values;
-  };
+  using Value = benchmarks::LimitRow;
+  using Case  = benchmarks::LimitCase;
 
   Case
   bent_by_weight(const std::string &name, const Cantilever &cantilever, const double limit = 0.03)
@@ -341,17 +313,7 @@ namespace
     add_losses(transfer, cases);
     add_contacts(cases);
     add_nearly_incompressible(transfer, cases);
-    if (csv)
-      std::cout << "name,value,limit\n";
-    else
-      std::cout << version_string() << '\n';
-    for (const Case &one : cases)
-      {
-        if (one.name.compare(0, only.size(), only) != 0)
-          continue;
-        for (const Value &value : one.values())
-          print(value, csv);
-      }
+    benchmarks::print_limit_rows(cases, only, csv);
   }
 } // namespace
 

@@ -48,17 +48,6 @@ namespace
     return scene;
   }
 
-  /** The mean over the last quarter of the rows. */
-  double
-  late_mean(const std::vector<double> &column)
-  {
-    double sum              = 0.;
-    const std::size_t first = column.size() * 3 / 4;
-    for (std::size_t row = first; row < column.size(); ++row)
-      sum += column[row];
-    return sum / static_cast<double>(column.size() - first);
-  }
-
   double
   speed_after(const Statistics &statistics, const double time)
   {

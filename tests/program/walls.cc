@@ -16,17 +16,6 @@ using namespace magmpm::verification;
 
 namespace
 {
-  /** Walls of one condition on all faces. */
-  std::string
-  walls(const int dim, const std::string &condition)
-  {
-    std::string text = "subsection Walls\n";
-    for (int d = 0; d < dim; ++d)
-      for (const char *side : {"Lower ", "Upper "})
-        text += std::string("set ") + side + "xyz"[d] + " = " + condition + "\n";
-    return text + "end\n";
-  }
-
   constexpr double cell_size = 0.01; // m, of all scenes here
 
   /** How far a particle lies beyond the box from 0 to @p edge in any frame [m]; not negative. */

@@ -35,4 +35,25 @@ namespace magmpm::verification
     if (columns.empty())
       throw std::runtime_error("no statistics in " + folder);
   }
+
+  std::vector<double>
+  mechanical_energy(const Statistics &statistics)
+  {
+    std::vector<double> energy;
+    for (std::size_t row = 0; row < statistics.n_rows(); ++row)
+      energy.push_back(statistics["kinetic energy [J/m]"][row] +
+                       statistics["elastic energy [J/m]"][row] +
+                       statistics["gravitational energy [J/m]"][row]);
+    return energy;
+  }
+
+  double
+  late_mean(const std::vector<double> &column)
+  {
+    double sum              = 0.;
+    const std::size_t first = column.size() * 3 / 4;
+    for (std::size_t row = first; row < column.size(); ++row)
+      sum += column[row];
+    return sum / static_cast<double>(column.size() - first);
+  }
 } // namespace magmpm::verification

@@ -37,4 +37,12 @@ namespace magmpm::verification
   private:
     std::map<std::string, std::vector<double>> columns;
   };
+
+  /** Kinetic, elastic and gravitational energy of each row, in 2D. */
+  std::vector<double>
+  mechanical_energy(const Statistics &statistics);
+
+  /** The mean of a column over the last quarter of the rows. */
+  double
+  late_mean(const std::vector<double> &column);
 } // namespace magmpm::verification
