@@ -38,7 +38,8 @@ namespace
     const auto fronts = dam_fronts(cells);
     for (const DamFront &front : fronts)
       std::cout << "    T = " << front.time << ": Z = " << front.simulated << " (foremost particle "
-                << front.foremost << "), measured " << front.measured << '\n';
+                << front.foremost << "), without viscosity " << front.inviscid << ", measured "
+                << front.measured << '\n';
     return dam_front_error(fronts);
   }
 

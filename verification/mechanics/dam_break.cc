@@ -1,4 +1,5 @@
 #include <verification/mechanics/dam_break.h>
+#include <verification/mechanics/inviscid_collapse.h>
 #include <verification/program/particle_frame.h>
 #include <verification/program/program_run.h>
 
@@ -87,6 +88,10 @@ end
   {
     const auto frames =
       particle_frames(run_scene("dam-break-" + std::to_string(cells), scene(cells)));
+    std::vector<double> times;
+    for (const auto &[time, place] : experiment)
+      times.push_back(time);
+    const std::vector<InviscidFront> inviscid = inviscid_fronts(times, 60);
     std::vector<DamFront> fronts;
     for (const auto &[time, place] : experiment)
       {
@@ -103,10 +108,20 @@ end
         const auto [front_after, foremost_after]   = reach(*after);
         fronts.push_back({time,
                           place,
+                          inviscid[fronts.size()].front,
                           (1. - part) * front_before + part * front_after,
                           (1. - part) * foremost_before + part * foremost_after});
       }
     return fronts;
+  }
+
+  double
+  inviscid_front_error(const std::vector<DamFront> &fronts)
+  {
+    double largest = 0.;
+    for (const DamFront &front : fronts)
+      largest = std::max(largest, std::abs(front.simulated / front.inviscid - 1.));
+    return largest;
   }
 
   double

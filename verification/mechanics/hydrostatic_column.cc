@@ -1,9 +1,12 @@
 #include <verification/mechanics/hydrostatic_column.h>
+#include <verification/program/parameter_text.h>
 #include <verification/program/particle_frame.h>
 #include <verification/program/program_run.h>
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace magmpm::verification
 {
@@ -14,66 +17,64 @@ namespace magmpm::verification
     constexpr double gravity      = 9.81; // m/s^2
     constexpr double depth        = 1.;   // m
 
-    // The wave that the start sends through the column decays by exp(-nu k^2 t), k = pi/(2 H): 2e-4.
+    constexpr double slab = 0.25; // m
+
+    // The wave that the start sends through the column decays by exp(-nu k^2 t), k = pi/(2 H): 2e-4. On a slab
+    // the whole column bounces, too, which damping takes away.
     std::string
-    scene(const int cells)
+    scene(const int cells, const int dim, const ColumnFloor floor)
     {
-      return R"(
-set Dimension = 2
-set End time  = 3.5
-set Gravity   = 0, -9.81
-subsection Box
-  set Upper corner = 0.5, 1.5
-  set Cell size    = )" +
-             as_text(depth / cells) + R"(
-end
-subsection Bodies
-  set List of bodies = fluid
-  subsection fluid
-    set Material     = oil
-    set Lower corner = 0, 0
-    set Upper corner = 0.5, 1
-    set Density      = 1000
-  end
-end
-subsection Materials
-  set List of materials = oil
-  subsection oil
-    set Mechanical law = viscoelastic fluid
-    set Bulk modulus   = 1e6
-    set Viscosity      = 1000
-  end
-end
-subsection Walls
-  set Lower x = slip
-  set Upper x = slip
-  set Lower y = slip
-end
-subsection Output
-  set Frame interval  = 3.5
-  set Statistics every = 1000
-end
-)";
+      const double bottom = (floor == ColumnFloor::wall ? 0. : slab);
+      const auto corner   = [&](const double width, const double height) {
+        return as_text(width) +
+               (dim == 3 ? ", " + as_text(width > 0. ? 4. * depth / cells : 0.) : "") + ", " +
+               as_text(height);
+      };
+      ParameterText text;
+      text.dim       = dim;
+      text.end_time  = "3.5";
+      text.gravity   = (dim == 3 ? "0, 0, " : "0, ") + as_text(-gravity);
+      text.box       = corner(0.5, 1.5 + bottom * 2.);
+      text.cell_size = as_text(depth / cells);
+      text.add_fluid("oil", as_text(bulk_modulus), "1000")
+        .add_box("fluid", "oil", corner(0., bottom), corner(0.5, bottom + depth));
+      if (floor == ColumnFloor::elastic_slab)
+        text.add_solid("rubber", "2e6")
+          .add_box("slab", "rubber", corner(0., 0.), corner(0.5, bottom))
+          .rest = "subsection Rest\nset Damping rate = 3\nend\n";
+      text.rest += walls(dim, "slip") +
+                   "subsection Output\nset Particle quantities = J, body\n"
+                   "set Frame interval = 3.5\nset Statistics every = 1000\nend\n";
+      return text.text();
+    }
+
+    /** The particles of the fluid by height: what is above one is known without the deformation. */
+    std::vector<std::size_t>
+    fluid_by_height(const ParticleFrame &frame, const int dim)
+    {
+      const auto &bodies = frame.quantities.at("body [-]");
+      std::vector<std::size_t> order;
+      for (std::size_t p = 0; p < frame.size(); ++p)
+        if (bodies[p][0] == 0.)
+          order.push_back(p);
+      std::sort(order.begin(), order.end(), [&](const std::size_t a, const std::size_t b) {
+        return frame.positions[a][dim - 1] < frame.positions[b][dim - 1];
+      });
+      return order;
     }
   } // namespace
 
   HydrostaticErrors
-  hydrostatic_errors(const int cells)
+  hydrostatic_errors(const int cells, const int dim, const ColumnFloor floor)
   {
-    const ParticleFrame frame =
-      particle_frames(run_scene("hydrostatic-column-" + std::to_string(cells), scene(cells)))
-        .back();
+    const std::string name = std::string("hydrostatic-") +
+                             (floor == ColumnFloor::wall ? "column-" : "slab-") +
+                             std::to_string(dim) + "-" + std::to_string(cells);
+    const ParticleFrame frame = particle_frames(run_scene(name, scene(cells, dim, floor))).back();
     const auto &volume_ratios = frame.quantities.at("J [-]");
-
-    // By height of the particles: what is above one is known without the deformation.
-    std::vector<std::size_t> order(frame.size());
-    for (std::size_t p = 0; p < order.size(); ++p)
-      order[p] = p;
-    std::sort(order.begin(), order.end(), [&frame](const std::size_t a, const std::size_t b) {
-      return frame.positions[a][1] < frame.positions[b][1];
-    });
-    const std::size_t per_layer = frame.size() / cells;
-    HydrostaticErrors errors    = {};
+    const std::vector<std::size_t> order = fluid_by_height(frame, dim);
+    const std::size_t per_layer          = order.size() / cells;
+    HydrostaticErrors errors             = {};
     for (int layer = 0; layer < cells; ++layer)
       {
         double pressure = 0.;
