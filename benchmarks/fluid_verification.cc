@@ -111,9 +111,12 @@ namespace
   {
     return {name, [=]() -> std::vector<LimitRow> {
               const FloatingErrors errors = floating_errors(body);
-              return {{name + ", height [dx]", std::abs(errors.height), limit},
-                      {name + ", swing [dx]", errors.swing},
-                      {name + ", turn [rad]", errors.turn}};
+              std::vector<LimitRow> rows  = {
+                 {name + ", height [dx]", std::abs(errors.height), limit},
+                 {name + ", swing [dx]", errors.swing}};
+              if (body.kind == FloaterKind::rigid && !body.is_round)
+                rows.push_back({name + ", turn [rad]", errors.turn});
+              return rows;
             }};
   }
 

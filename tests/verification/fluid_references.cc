@@ -19,10 +19,13 @@ namespace
 
   /** How far the centre of a body of this density is above the surface, of its half size; the pool is stiff and wide. */
   double
-  height_above_surface(const int dim, const bool is_round, const double density)
+  height_above_surface(const int dim,
+                       const bool is_round,
+                       const double density,
+                       const double turn = 0.)
   {
     const Pool pool       = {dim, 1e3, 2., 1000., 1e13, 9.81};
-    const Floater floater = {is_round, 0.5, 1000. * density};
+    const Floater floater = {is_round, 0.5, 1000. * density, turn};
     const double rise     = density * floater.volume(dim) / std::pow(pool.width, dim - 1);
     return (floating_height(pool, floater) - pool.depth - rise) / floater.half_size;
   }
@@ -43,6 +46,15 @@ TEST_CASE("Bodies float as deep as Archimedes says", "[verification]")
   CHECK(height_above_surface(2, true, 0.25) == Approx(0.40397).epsilon(1e-3));
   CHECK(height_above_surface(3, true, 0.25) == Approx(2. * std::cos(4. * pi / 9.)).epsilon(1e-3));
   CHECK(height_above_surface(2, false, 0.25) == Approx(0.5).epsilon(1e-3));
+  // On its corner a square is immersed by a triangle, of its half edge's height; turned by a little it stays as deep
+  // in the middle.
+  for (const int dim : {2, 3})
+    {
+      CHECK(height_above_surface(dim, false, 0.25, 0.25 * pi) ==
+            Approx(std::sqrt(2.) - 1.).epsilon(1e-3));
+      CHECK(height_above_surface(dim, false, 0.25, 0.1) ==
+            Approx(0.5 * std::cos(0.1)).epsilon(1e-3));
+    }
 }
 
 TEST_CASE("A pool at rest is compressed by its own weight", "[verification]")
@@ -55,7 +67,7 @@ TEST_CASE("A pool at rest is compressed by its own weight", "[verification]")
   Pool stiff = pool, fuller = pool;
   stiff.bulk_modulus         = 1e13;
   fuller.depth               = 0.13;
-  const Floater box          = {false, 0.04, 500.};
+  const Floater box          = {false, 0.04, 500., 0.};
   const double less_immersed = 0.04 * (1000. * 9.81 * 0.02 / 5e4);
   CHECK(floating_height(pool, box) - floating_height(stiff, box) ==
         Approx(fuller.level() - fuller.depth + less_immersed).margin(5e-6));

@@ -21,15 +21,20 @@ namespace magmpm::verification
     level() const;
   };
 
-  /** A body that floats upright: a disc or ball, or a square or cube. */
+  /** A body that floats: a disc or ball, or a square or cube that is turned about a horizontal edge. */
   struct Floater
   {
     bool is_round    = true;
     double half_size = 0.; ///< its radius, or half an edge [m]
     double density   = 0.; ///< [kg/m^3]
+    double turn      = 0.; ///< from upright [rad]
 
     double
     volume(const int dim) const;
+
+    /** From its lowest point to its centre [m]. */
+    double
+    half_height() const;
 
     /** Of the section so far above its centre: a length in 2D, an area in 3D. */
     double

@@ -21,12 +21,6 @@ namespace magmpm::verification
       return {body.dim, body.dim == 2 ? 32. * dx : 20. * dx, 12. * dx, 1000., 5e4, 9.81};
     }
 
-    Floater
-    floater_of(const FloatingBody &body)
-    {
-      return {body.is_round, 4. * dx, body.density};
-    }
-
     /** The same along all axes but the last. */
     std::string
     point(const int dim, const double across, const double height)
@@ -120,7 +114,8 @@ namespace magmpm::verification
       }
     const auto [lowest, highest] = std::minmax_element(heights.begin() + heights.size() * 3 / 4,
                                                        heights.end());
-    return {(late_mean(heights) - floating_height(pool_of(body), floater_of(body))) / dx,
+    const Floater floater        = {body.is_round, 4. * dx, body.density, turn};
+    return {(late_mean(heights) - floating_height(pool_of(body), floater)) / dx,
             (*highest - *lowest) / dx,
             turn};
   }

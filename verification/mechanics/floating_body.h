@@ -25,9 +25,9 @@ namespace magmpm::verification
   /** Of the last quarter of the time; lengths in dx. */
   struct FloatingErrors
   {
-    double height; ///< mean of its centre above floating_height()
+    double height; ///< mean of its centre above floating_height(), as it is turned
     double swing;  ///< highest less lowest
-    double turn;   ///< of a rigid body from its upright position [rad]: squares are not stable
+    double turn;   ///< mean of a rigid body's, from upright [rad]: squares are not stable
   };
 
   FloatingErrors
