@@ -1,24 +1,31 @@
 #include <magmpm/boundary/momentum_update.h>
 #include <magmpm/lattice/node_window.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace magmpm
 {
   namespace
   {
-    /** Whether a boundary has changed the velocity of a node. */
+    /**
+     * @p value along the axes along which no boundary has changed the velocity of a node, along the others
+     * @p otherwise: what slips along a wall is not held along it.
+     */
     template <int dim>
-    bool
-    is_held(const NodeField<dim> &motion,
-            const NodeField<dim> &unconstrained,
-            const int slot,
-            const int node)
+    Vector<dim>
+    where_free(const NodeField<dim> &motion,
+               const NodeField<dim> &unconstrained,
+               const int slot,
+               const int node,
+               Vector<dim> value,
+               const Vector<dim> &otherwise)
     {
       const Vector<dim> velocity = motion.get(NodeMotion::velocity, slot, node);
       const Vector<dim> free     = unconstrained.get(NodeMotion::velocity, slot, node);
-      return !std::equal(velocity.values, velocity.values + dim, free.values);
+      for (int d = 0; d < dim; ++d)
+        if (velocity[d] != free[d])
+          value[d] = otherwise[d];
+      return value;
     }
   } // namespace
 
@@ -72,13 +79,16 @@ namespace magmpm
                            NodeField<dim> &filtered)
   {
     for_nodes(blocks, [&](const int slot, const int n) {
-      const double mass = motion.get(NodeMotion::mass, slot, n);
-      filtered.set(NodeMotion::velocity,
-                   slot,
-                   n,
-                   is_held(motion, unconstrained, slot, n) || mass <= negligible_mass(typical_mass)
-                     ? motion.get(NodeMotion::velocity, slot, n)
-                     : (1. / mass) * filtered.get(NodeMotion::momentum, slot, n));
+      Vector<dim> velocity = motion.get(NodeMotion::velocity, slot, n);
+      const double mass    = motion.get(NodeMotion::mass, slot, n);
+      if (mass > negligible_mass(typical_mass))
+        velocity = where_free(motion,
+                              unconstrained,
+                              slot,
+                              n,
+                              (1. / mass) * filtered.get(NodeMotion::momentum, slot, n),
+                              velocity);
+      filtered.set(NodeMotion::velocity, slot, n, velocity);
     });
   }
 
@@ -111,9 +121,14 @@ namespace magmpm
       const Vector<dim> velocity = motion.get(NodeMotion::velocity, slot, n);
       const double mass          = motion.get(NodeMotion::mass, slot, n);
       Vector<dim> given;
-      if (mass > negligible_mass(typical_mass) && !is_held(motion, unconstrained, slot, n))
-        given = (1. / mass) * (taken.get(NodeMotion::mass, slot, n) * velocity -
-                               taken.get(NodeMotion::momentum, slot, n));
+      if (mass > negligible_mass(typical_mass))
+        given = where_free(motion,
+                           unconstrained,
+                           slot,
+                           n,
+                           (1. / mass) * (taken.get(NodeMotion::mass, slot, n) * velocity -
+                                          taken.get(NodeMotion::momentum, slot, n)),
+                           {});
       taken.set(NodeMotion::velocity, slot, n, velocity + given);
     });
   }

@@ -32,12 +32,12 @@ namespace magmpm::verification
   };
 
   /**
-   * A standing wave in 2D, two cells high (0 to crest), over six periods. Waves are raised from rest: gravity
-   * that leans to either side, twice for a period, swells and ebbs. That starts every layer with its
-   * hydrostatic pressure and leaves half a per cent of the next wave, of a third of the length, which the
-   * amplitude
+   * A standing wave in 2D, two cells high (0 to crest), over six periods. It is raised from rest by gravity that
+   * leans to either side for two periods, at the frequency of a small wave and as the square of a sine: so
+   * every layer starts with its hydrostatic pressure. That raises 7 % of the wave of a third of the length as well,
+   * to which the amplitude
    *   A = 2/width int (h - d) cos(k x) dx = 2/width sum_p V_p cos(k x_p)
-   * does not see.
+   * is blind.
    *
    * @param cells  of the lattice along the width.
    */

@@ -41,7 +41,8 @@ namespace magmpm
 
   /**
    * P v on the owned nodes from its momenta, with the masses of @p motion. Where a boundary has changed the
-   * velocity (motion and @p unconstrained differ) P v is v: what is held there is no error of the transfer.
+   * velocity along an axis (motion and @p unconstrained differ) P v is v along it: what is held there is no error
+   * of the transfer.
    *
    * @param filtered  its momentum, of filter_velocity(), becomes velocity.
    */
