@@ -119,8 +119,7 @@ namespace magmpm
     if (images.are_chosen())
       {
         partition.update_ghosts(motion);
-        images.choose_and_fold(
-          partition.blocks(), contact, clock.time_step * acceleration, motion);
+        images.choose_and_fold(partition.blocks(), contact, clock.time_step * acceleration, motion);
       }
     update_lattice_momentum(partition.blocks(),
                             boundary,
