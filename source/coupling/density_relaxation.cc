@@ -117,9 +117,10 @@ namespace magmpm
   {
     for_nodes(blocks, [&](const int slot, const int n) {
       int n_full = 0;
-      for_nodes_around(blocks, slot, n, [&](const int other, const int node) {
-        n_full += fraction.get(SingleScalar::value, other, node) > least_fraction;
-      });
+      if (fraction.get(SingleScalar::value, slot, n) > least_fraction)
+        for_nodes_around(blocks, slot, n, [&](const int other, const int node) {
+          n_full += fraction.get(SingleScalar::value, other, node) > least_fraction;
+        });
       const bool is_near  = n_full < n_neighbours<dim>;
       const double excess = fraction.get(SingleScalar::value, slot, n) - 1.;
       field.set(NodeFluid::fraction, slot, n, 1. + excess);

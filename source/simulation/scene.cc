@@ -120,7 +120,7 @@ namespace magmpm
     holder.set_time(state.clock.time);
     magnetic.update(state.clock, all_bodies); // Eqs. (25)-(33)
     forces.act(state.clock, all_bodies);
-    fluids.relax(state.clock, decomposition->partition(), holder.bodies().all(), all_bodies);
+    relax_fluids();
     transfer_to_lattice(); // Eq. (28)
     update_lattice();      // Eqs. (33), (34)
     holder.advance(state.clock);
@@ -146,6 +146,14 @@ namespace magmpm
     state.limit           = step.limit;
     if (step.limit != frame_end_limit || state.clock.step == 0)
       state.last_full_step = step;
+  }
+
+  template <int dim>
+  void
+  Scene<dim>::relax_fluids()
+  {
+    const Scope timed(phase_timer, "Relax density");
+    fluids.relax(state.clock, decomposition->partition(), holder.bodies().all(), all_bodies);
   }
 
   template <int dim>

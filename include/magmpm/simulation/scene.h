@@ -199,6 +199,10 @@ namespace magmpm
     void
     choose_time_step(const double until);
 
+    /** Mends the density of fluids, every few steps. */
+    void
+    relax_fluids();
+
     /** P2G of momentum and mass, summed over the ranks. */
     void
     transfer_to_lattice();
