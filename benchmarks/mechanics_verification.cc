@@ -56,7 +56,7 @@ namespace
     {"column",
      "pressure rho g z above the lowest cell, of rho g H",
      {8, 16, 32},
-     0.02,
+     0.005,
      error_of_column},
     {"dam", "front against Martin & Moyce 1952", {8, 16, 32}, 0.1, error_of_dam_break},
     {"couette",

@@ -99,8 +99,8 @@ TEST_CASE("A fluid at rest has hydrostatic pressure", "[program]")
   // on the floor, whose B-splines the floor cuts, to 12 %.
   const HydrostaticErrors errors = hydrostatic_errors(8);
   INFO("errors " << errors.inside << ", floor " << errors.floor_cell);
-  CHECK(errors.inside < 0.05);
-  CHECK(std::abs(errors.floor_cell) < 0.12);
+  CHECK(errors.inside < 0.005);
+  CHECK(std::abs(errors.floor_cell) < 0.005);
 }
 
 TEST_CASE("A stirred pool with a block in it keeps its momentum", "[program]")
