@@ -95,8 +95,7 @@ TEST_CASE("What a transfer loses counts time, not steps", "[program]")
 
 TEST_CASE("A fluid at rest has hydrostatic pressure", "[program]")
 {
-  // The pressure of every layer of one cell is the weight above it, to 5 % of the largest; in the cell
-  // on the floor, whose B-splines the floor cuts, to 12 %.
+  // The pressure of every layer of one cell is the weight above it, also in the cell on the floor.
   const HydrostaticErrors errors = hydrostatic_errors(8);
   INFO("errors " << errors.inside << ", floor " << errors.floor_cell);
   CHECK(errors.inside < 0.005);
