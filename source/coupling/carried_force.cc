@@ -7,50 +7,76 @@
 
 namespace magmpm
 {
+  namespace
+  {
+    /** What carries the force, and the rate of each, component by component. */
+    struct Carried
+    {
+      ParticleProperty value, rate;
+    };
+
+    constexpr Carried carried_quantities[] = {
+      {ParticleProperty::magnetic_acceleration, ParticleProperty::magnetic_acceleration_rate},
+      {ParticleProperty::magnetic_acceleration_gradient,
+       ParticleProperty::magnetic_acceleration_gradient_rate}};
+
+    /** Calls f(values, rates), the numbers of all particles, for each component of what they carry. */
+    template <int dim, typename Function>
+    void
+    for_carried_components(ParticleSet<dim> &particles, const Function &f)
+    {
+      for (const Carried &carried : carried_quantities)
+        for (int c = 0; c < particles.n_components(carried.value); ++c)
+          f(particles.component(carried.value, c), particles.component(carried.rate, c));
+    }
+
+    /** The rate of an extrapolation by all components of a quantity together. */
+    template <int dim, int n>
+    void
+    set_rate(const Carried &carried, const double way, ParticleSet<dim> &particles)
+    {
+      for (std::size_t p = 0; p < particles.size(); ++p)
+        {
+          Vector<n> now, before;
+          for (int c = 0; c < n; ++c)
+            {
+              now[c]    = particles.component(carried.value, c)[p];
+              before[c] = particles.component(carried.rate, c)[p];
+            }
+          const Vector<n> rate = extrapolation_rate(before, now, way);
+          for (int c = 0; c < n; ++c)
+            particles.component(carried.rate, c)[p] = rate[c];
+        }
+    }
+  } // namespace
+
   template <int dim>
-  NodeField<dim, SingleVector>
-  accelerations_to_carry(const BlockPartition<dim> &partition,
-                         const Lattice<dim> &lattice,
-                         const NodeField<dim, SingleScalar> &masses,
-                         const NodeField<dim, SingleVector> &force,
-                         std::vector<Body<dim>> &bodies)
+  void
+  carry_force(const BlockPartition<dim> &partition,
+              const Lattice<dim> &lattice,
+              const NodeField<dim, SingleScalar> &masses,
+              const NodeField<dim, SingleVector> &force,
+              std::vector<Body<dim>> &bodies)
   {
     constexpr auto vector       = SingleVector::value;
     const BlockSet<dim> &blocks = partition.blocks();
-    const auto per_mass         = [&](const int slot, const int node, const Vector<dim> &f) {
-      const double mass = masses.get(SingleScalar::value, slot, node);
-      return (mass > 0. ? 1. / mass : 0.) * f;
-    };
-    NodeField<dim, SingleVector> accelerations(blocks.size()), carried(blocks.size());
+    NodeField<dim, SingleVector> accelerations(blocks.size());
     for_nodes(blocks, [&](const int slot, const int n) {
-      accelerations.set(vector, slot, n, per_mass(slot, n, force.get(vector, slot, n)));
+      const double mass = masses.get(SingleScalar::value, slot, n);
+      accelerations.set(vector, slot, n, (mass > 0. ? 1. / mass : 0.) * force.get(vector, slot, n));
     });
     partition.update_ghosts(accelerations);
-
-    carried_force_on_lattice(bodies, blocks, lattice, accelerations, carried);
-    partition.add_ghosts_to_owners(carried, Parity());
-    for_nodes(blocks, [&](const int slot, const int n) {
-      const Vector<dim> missing = force.get(vector, slot, n) - carried.get(vector, slot, n);
-      accelerations.add(vector, slot, n, per_mass(slot, n, missing));
-    });
-    partition.update_ghosts(accelerations);
-    return accelerations;
+    accelerations_to_particles(accelerations, blocks, lattice, bodies);
   }
 
   template <int dim>
   void
   recall_carried_force(const double way, Body<dim> &body)
   {
-    if (!body.magnetic.is_magnetic())
-      return;
-    ParticleSet<dim> &particles = body.particles;
-    for (int d = 0; d < dim; ++d)
-      {
-        const double *a = particles.component(ParticleProperty::magnetic_acceleration, d);
-        double *rate    = particles.component(ParticleProperty::magnetic_acceleration_rate, d);
-        for (std::size_t p = 0; p < particles.size(); ++p)
-          rate[p] = a[p] - way * rate[p];
-      }
+    for_carried_components(body.particles, [&](const double *values, double *rates) {
+      for (std::size_t p = 0; p < body.particles.size(); ++p)
+        rates[p] = values[p] - way * rates[p];
+    });
   }
 
   template <int dim>
@@ -59,32 +85,20 @@ namespace magmpm
   {
     if (!body.magnetic.is_magnetic())
       return;
-    ParticleSet<dim> &particles = body.particles;
-    for (std::size_t p = 0; p < particles.size(); ++p)
-      {
-        const Vector<dim> now    = particles.vector(ParticleProperty::magnetic_acceleration, p);
-        const Vector<dim> before = particles.vector(ParticleProperty::magnetic_acceleration_rate,
-                                                    p);
-        const Vector<dim> rate   = extrapolation_rate(before, now, way);
-        for (int d = 0; d < dim; ++d)
-          particles.component(ParticleProperty::magnetic_acceleration_rate, d)[p] = rate[d];
-      }
+    set_rate<dim, dim>(carried_quantities[0], way, body.particles);
+    set_rate<dim, dim * dim>(carried_quantities[1], way, body.particles);
   }
 
   template <int dim>
   void
   advance_carried_force(const double way, Body<dim> &body)
   {
-    if (!body.magnetic.is_magnetic() || way == 0.)
+    if (way == 0.)
       return;
-    ParticleSet<dim> &particles = body.particles;
-    for (int d = 0; d < dim; ++d)
-      {
-        double *a          = particles.component(ParticleProperty::magnetic_acceleration, d);
-        const double *rate = particles.component(ParticleProperty::magnetic_acceleration_rate, d);
-        for (std::size_t p = 0; p < particles.size(); ++p)
-          a[p] += way * rate[p];
-      }
+    for_carried_components(body.particles, [&](double *values, const double *rates) {
+      for (std::size_t p = 0; p < body.particles.size(); ++p)
+        values[p] += way * rates[p];
+    });
   }
 
   template <int dim>
@@ -92,10 +106,9 @@ namespace magmpm
   freeze_carried_force(const double way, Body<dim> &body)
   {
     advance_carried_force(-way, body);
-    for (int d = 0; d < dim && body.magnetic.is_magnetic(); ++d)
-      std::fill_n(body.particles.component(ParticleProperty::magnetic_acceleration_rate, d),
-                  body.particles.size(),
-                  0.);
+    for_carried_components(body.particles, [&](const double *, double *rates) {
+      std::fill_n(rates, body.particles.size(), 0.);
+    });
   }
 
   template <int dim>
@@ -124,20 +137,21 @@ namespace magmpm
   void
   drop_carried_force(Body<dim> &body)
   {
-    for (const ParticleProperty property : {ParticleProperty::magnetic_acceleration,
-                                            ParticleProperty::magnetic_acceleration_rate,
-                                            ParticleProperty::magnetic_field})
-      for (int d = 0; d < dim && body.magnetic.is_magnetic(); ++d)
-        std::fill_n(body.particles.component(property, d), body.particles.size(), 0.);
+    const std::size_t n = body.particles.size();
+    for_carried_components(body.particles, [&](double *values, double *rates) {
+      std::fill_n(values, n, 0.);
+      std::fill_n(rates, n, 0.);
+    });
+    for (int d = 0; d < body.particles.n_components(ParticleProperty::magnetic_field); ++d)
+      std::fill_n(body.particles.component(ParticleProperty::magnetic_field, d), n, 0.);
   }
 
 #define INSTANTIATE(dim)                                                   \
-  template NodeField<dim, SingleVector> accelerations_to_carry(            \
-    const BlockPartition<dim> &,                                           \
-    const Lattice<dim> &,                                                  \
-    const NodeField<dim, SingleScalar> &,                                  \
-    const NodeField<dim, SingleVector> &,                                  \
-    std::vector<Body<dim>> &);                                             \
+  template void carry_force(const BlockPartition<dim> &,                   \
+                            const Lattice<dim> &,                          \
+                            const NodeField<dim, SingleScalar> &,          \
+                            const NodeField<dim, SingleVector> &,          \
+                            std::vector<Body<dim>> &);                     \
   template void recall_carried_force<dim>(const double, Body<dim> &);      \
   template void set_rate_of_carried_force<dim>(const double, Body<dim> &); \
   template void advance_carried_force<dim>(const double, Body<dim> &);     \

@@ -101,15 +101,28 @@ namespace magmpm
   }
 
   template <int dim>
+  double
+  MagneticCoupling<dim>::way_of_force() const
+  {
+    if (memory.n_solves == 0)
+      return 0.;
+    // A source that changes in strength by all of itself counts as one that moves by dx.
+    const auto change = external_field.change_since_remembered();
+    return memory.age.path + change.displacement +
+           change.relative_strength * parameters.lattice.spacing;
+  }
+
+  template <int dim>
   void
   MagneticCoupling<dim>::advance_force(std::vector<Body<dim>> &bodies)
   {
     if (memory.n_solves == 0)
       return;
-    // A source that changes in strength by all of itself counts as one that moves by dx.
-    const auto change = external_field.change_since_remembered();
-    const double way  = memory.age.path + change.displacement +
-                       change.relative_strength * parameters.lattice.spacing;
+    // By parts of a way that change no force by more than a few per mille: this goes through all particles.
+    constexpr double shortest = 0.005; // of dx
+    const double way          = way_of_force();
+    if (std::abs(way - memory.age.carried_way) < shortest * parameters.lattice.spacing)
+      return;
     for (Body<dim> &body : bodies)
       advance_carried_force(way - memory.age.carried_way, body);
     memory.reactions.advance(way - memory.age.carried_way);
@@ -173,8 +186,8 @@ namespace magmpm
   {
     const parallel::PhaseTimer::Scope timed(timer, "Solve potential");
     solve_potential(bodies);
-    const double way = memory.age.carried_way;
-    carry_force(nodal_accelerations(bodies), bodies);
+    const double way = way_of_force();
+    find_force(way, bodies);
     NodeField<dim, SingleVector> field;
     problem->compute_field(field);
     interpolate_to_particles(
@@ -222,8 +235,8 @@ namespace magmpm
   }
 
   template <int dim>
-  NodeField<dim, SingleVector>
-  MagneticCoupling<dim>::nodal_accelerations(std::vector<Body<dim>> &bodies)
+  void
+  MagneticCoupling<dim>::find_force(const double way, std::vector<Body<dim>> &bodies)
   {
     // Only magnetic particles carry the force, so nodes give it to the mass of these alone.
     const BlockSet<dim> &blocks = partition->blocks();
@@ -233,23 +246,12 @@ namespace magmpm
     partition->add_ghosts_to_owners(masses, Parity());
     partition->update_ghosts(masses);
     memory.dropped_force = problem->compute_force(masses, force);
-    return accelerations_to_carry(*partition, parameters.lattice, masses, force, bodies);
-  }
 
-  template <int dim>
-  void
-  MagneticCoupling<dim>::carry_force(const NodeField<dim, SingleVector> &accelerations,
-                                     std::vector<Body<dim>> &bodies)
-  {
     for (Body<dim> &body : bodies)
       recall_carried_force(memory.age.carried_way, body);
-    interpolate_to_particles(accelerations,
-                             partition->blocks(),
-                             parameters.lattice,
-                             ParticleProperty::magnetic_acceleration,
-                             bodies);
+    carry_force(*partition, parameters.lattice, masses, force, bodies);
     for (Body<dim> &body : bodies)
-      set_rate_of_carried_force(memory.age.carried_way, body);
+      set_rate_of_carried_force(way, body);
   }
 
   template <int dim>

@@ -1,6 +1,7 @@
 // Kernels, as particle_grid_transfer.cc.
 
 #include <magmpm/base/simd_functions.h>
+#include <magmpm/particles/affine_batch.h>
 #include <magmpm/particles/magnetic_transfer.h>
 #include <magmpm/particles/quantity_transfer.h>
 
@@ -12,20 +13,23 @@ namespace magmpm
   {
     constexpr auto magnetic_bodies = [](const auto &body) { return body.magnetic.is_magnetic(); };
 
-    /** From one arena to the other by way of the particles of a run. */
+    /** What the accelerations of the nodes become on the particles of a run. */
     template <int dim>
     [[gnu::flatten]] void
-    carry_run(const ParticleRun<dim> &run, const double *accelerations, double *forces)
+    take_acceleration(const ParticleRun<dim> &run, const double *accelerations)
     {
       StencilBatch<dim> stencils;
-      NodeLanes of_particle[batch_size];
+      LinearBatch<dim> batch;
       for_each_batch(run, [&](const std::size_t first, const int n) {
         place_stencils(run, first, n, stencils);
         gather_batch(stencils, n, accelerations, [&](const int p, const auto &rows) {
-          of_particle[p] = run.particles.mass[first + p] * sum_constant(stencils, rows, p);
+          sum_linear(stencils, rows, p, batch);
         });
-        scatter_batch(stencils, n, forces, [&](const int p, auto &rows) {
-          add_constant(stencils, of_particle[p], p, rows);
+        batch.repeat_last(n);
+        for_each_lanes(first, n, [&](const auto place, const int p) {
+          const VectorAndMatrix<dim> taken = affine_motion(stencils, batch, run.spacing, p);
+          store_vector<dim>(taken.vector, run.particles.magnetic_acceleration, place);
+          store_matrix<dim>(taken.matrix, run.particles.magnetic_acceleration_gradient, place);
         });
       });
     }
@@ -81,27 +85,20 @@ namespace magmpm
 
   template <int dim>
   void
-  carried_force_on_lattice(std::vector<Body<dim>> &bodies,
-                           const BlockSet<dim> &blocks,
-                           const Lattice<dim> &lattice,
-                           const NodeField<dim, SingleVector> &accelerations,
-                           NodeField<dim, SingleVector> &forces)
+  accelerations_to_particles(const NodeField<dim, SingleVector> &accelerations,
+                             const BlockSet<dim> &blocks,
+                             const Lattice<dim> &lattice,
+                             std::vector<Body<dim>> &bodies)
   {
-    Arena<dim> from, to;
-    forces.set_zero();
+    Arena<dim> arena;
     for_each_run(
       bodies,
       blocks,
       lattice,
       magnetic_bodies,
-      [&](const int slot) {
-        from.load(accelerations, blocks, slot);
-        to.set_zero();
-      },
-      [&](const std::size_t, const ParticleRun<dim> &run) {
-        carry_run(run, from.data(), to.data());
-      },
-      [&](const int slot) { to.add_to(forces, blocks, slot); });
+      [&](const int slot) { arena.load(accelerations, blocks, slot); },
+      [&](const std::size_t, const ParticleRun<dim> &run) { take_acceleration(run, arena.data()); },
+      [](const int) {});
   }
 
   template <int dim>
@@ -129,24 +126,23 @@ namespace magmpm
       bodies);
   }
 
-#define INSTANTIATE(dim)                                                            \
-  template void magnetic_content_to_lattice<dim>(std::vector<Body<dim>> &,          \
-                                                 const BlockSet<dim> &,             \
-                                                 const Lattice<dim> &,              \
-                                                 NodeField<dim, NodeContent> &);    \
-  template void magnetic_mass_to_lattice<dim>(std::vector<Body<dim>> &,             \
-                                              const BlockSet<dim> &,                \
-                                              const Lattice<dim> &,                 \
-                                              NodeField<dim, SingleScalar> &);      \
-  template void carried_force_on_lattice<dim>(std::vector<Body<dim>> &,             \
-                                              const BlockSet<dim> &,                \
-                                              const Lattice<dim> &,                 \
-                                              const NodeField<dim, SingleVector> &, \
-                                              NodeField<dim, SingleVector> &);      \
-  template void interpolate_to_particles<dim>(const NodeField<dim, SingleVector> &, \
-                                              const BlockSet<dim> &,                \
-                                              const Lattice<dim> &,                 \
-                                              ParticleProperty,                     \
+#define INSTANTIATE(dim)                                                              \
+  template void magnetic_content_to_lattice<dim>(std::vector<Body<dim>> &,            \
+                                                 const BlockSet<dim> &,               \
+                                                 const Lattice<dim> &,                \
+                                                 NodeField<dim, NodeContent> &);      \
+  template void magnetic_mass_to_lattice<dim>(std::vector<Body<dim>> &,               \
+                                              const BlockSet<dim> &,                  \
+                                              const Lattice<dim> &,                   \
+                                              NodeField<dim, SingleScalar> &);        \
+  template void accelerations_to_particles<dim>(const NodeField<dim, SingleVector> &, \
+                                                const BlockSet<dim> &,                \
+                                                const Lattice<dim> &,                 \
+                                                std::vector<Body<dim>> &);            \
+  template void interpolate_to_particles<dim>(const NodeField<dim, SingleVector> &,   \
+                                              const BlockSet<dim> &,                  \
+                                              const Lattice<dim> &,                   \
+                                              ParticleProperty,                       \
                                               std::vector<Body<dim>> &);
 
   INSTANTIATE(2)

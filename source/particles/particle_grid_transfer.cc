@@ -39,6 +39,7 @@ namespace magmpm
       add_arrays(particles.affine_velocity, first, next);
       add_arrays(particles.deformation, first, next);
       add_arrays(particles.magnetic_acceleration, first, next);
+      add_arrays(particles.magnetic_acceleration_gradient, first, next);
       next.add(particles.mass + first);
       next.add(particles.volume + first);
       if (particles.volumetric_stress != nullptr)
@@ -100,14 +101,18 @@ namespace magmpm
       const SimdDouble mass                = load(particles.mass, place);
       const Matrix<dim, SimdDouble> stress =
         stress_impulse<is_smoothed>(run, law, time_step, affine, place);
-      Matrix<dim, SimdDouble> slope = (run.spacing * mass) * affine;
+      Matrix<dim, SimdDouble> slope    = (run.spacing * mass) * affine;
+      Vector<dim, SimdDouble> velocity = load_vector<dim>(particles.velocity, place);
+      if (particles.magnetic_acceleration[0] != nullptr)
+        {
+          velocity += time_step * load_vector<dim>(particles.magnetic_acceleration, place);
+          slope += (time_step * run.spacing * mass) *
+                   load_matrix<dim>(particles.magnetic_acceleration_gradient, place);
+        }
       if constexpr (Law::stores_deformation_gradient)
         store_gradient(stress, p, gradients);
       else
         slope += SimdDouble(4.) * stress;
-      Vector<dim, SimdDouble> velocity = load_vector<dim>(particles.velocity, place);
-      if (particles.magnetic_acceleration[0] != nullptr)
-        velocity += time_step * load_vector<dim>(particles.magnetic_acceleration, place);
       store_linear(stencils, mass, mass * velocity, slope, p, batch);
     }
 

@@ -13,7 +13,9 @@ namespace magmpm
                        1,
                        1,
                        is_magnetic ? dim : 0,
+                       is_magnetic ? dim * dim : 0,
                        is_magnetic ? dim : 0,
+                       is_magnetic ? dim * dim : 0,
                        is_magnetic ? dim : 0,
                        is_magnetic ? dim : 0,
                        stores_deformation_gradient ? n_symmetric_components<dim> : 0,
@@ -57,6 +59,8 @@ namespace magmpm
       assign(ParticleProperty::mass, &arrays.mass);
       assign(ParticleProperty::volume, &arrays.volume);
       assign(ParticleProperty::magnetic_acceleration, arrays.magnetic_acceleration);
+      assign(ParticleProperty::magnetic_acceleration_gradient,
+             arrays.magnetic_acceleration_gradient);
       assign(ParticleProperty::magnetic_field, arrays.magnetic_field);
       assign(ParticleProperty::half_extent, arrays.half_extent);
       assign(ParticleProperty::exposed_faces, &arrays.exposed_faces);

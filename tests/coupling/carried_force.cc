@@ -28,10 +28,11 @@ namespace
   void
   set_acceleration(const double value, Body<dim> &body)
   {
-    for (std::size_t p = 0; p < body.particles.size(); ++p)
-      for (int d = 0; d < dim; ++d)
-        body.particles.component(ParticleProperty::magnetic_acceleration,
-                                 d)[p] = value * (1. + d + 10. * p);
+    for (const ParticleProperty quantity : {ParticleProperty::magnetic_acceleration,
+                                            ParticleProperty::magnetic_acceleration_gradient})
+      for (std::size_t p = 0; p < body.particles.size(); ++p)
+        for (int c = 0; c < body.particles.n_components(quantity); ++c)
+          body.particles.component(quantity, c)[p] = value * (1. + c + 10. * p);
   }
 
   /** A solve @p way after the last one, at which the acceleration is @p value. */
@@ -49,6 +50,14 @@ namespace
   acceleration(const Body<dim> &body, const std::size_t p, const int d)
   {
     return body.particles.component(ParticleProperty::magnetic_acceleration, d)[p];
+  }
+
+  /** Of the gradient, number @p c by rows. */
+  template <int dim>
+  double
+  slope(const Body<dim> &body, const std::size_t p, const int c)
+  {
+    return body.particles.component(ParticleProperty::magnetic_acceleration_gradient, c)[p];
   }
 } // namespace
 
@@ -77,6 +86,10 @@ TEMPLATE_TEST_CASE_SIG("A force that changes evenly is carried exactly",
         for (int d = 0; d < dim; ++d)
           CHECK(acceleration(body, p, d) ==
                 Approx(exact(next + 0.25) * (1. + d + 10. * p)).epsilon(1e-12));
+      for (std::size_t p = 0; p < 2; ++p)
+        for (int c = 0; c < dim * dim; ++c)
+          CHECK(slope(body, p, c) ==
+                Approx(exact(next + 0.25) * (1. + c + 10. * p)).epsilon(1e-12));
       advance_carried_force(-0.25, body);
     }
 }

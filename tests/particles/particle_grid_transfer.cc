@@ -97,6 +97,37 @@ namespace
       lanes[d] = (lanes[3] > 0. ? lanes[d] / lanes[3] : 0.);
   }
 
+  /** Adds what changes at @p rate over a step to a quantity of the particles. */
+  template <int dim>
+  void
+  add_over_step(const ParticleProperty quantity,
+                const ParticleProperty rate,
+                const double time_step,
+                ParticleSet<dim> &particles)
+  {
+    for (int c = 0; c < particles.n_components(rate); ++c)
+      for (std::size_t p = 0; p < particles.size(); ++p)
+        particles.component(quantity, c)[p] += time_step * particles.component(rate, c)[p];
+  }
+
+  /** The bodies after the impulse that their particles carry. */
+  template <int dim>
+  std::vector<Body<dim>>
+  pushed_by_magnets(std::vector<Body<dim>> bodies, const double time_step)
+  {
+    using Property = ParticleProperty;
+    for (Body<dim> &body : bodies)
+      {
+        add_over_step(
+          Property::velocity, Property::magnetic_acceleration, time_step, body.particles);
+        add_over_step(Property::affine_velocity,
+                      Property::magnetic_acceleration_gradient,
+                      time_step,
+                      body.particles);
+      }
+    return bodies;
+  }
+
   /** A step of the plain loops, of which the bodies become the result; returns the momenta. */
   template <int dim>
   PlainLattice<dim>
@@ -104,13 +135,8 @@ namespace
                  const double time_step,
                  std::vector<Body<dim>> &bodies)
   {
-    // The plain loops know no magnetic force: its impulse is given to the particles beforehand.
-    std::vector<Body<dim>> pushed = bodies;
-    for (Body<dim> &body : pushed)
-      for (int d = 0; d < body.particles.n_components(ParticleProperty::magnetic_acceleration); ++d)
-        for (std::size_t p = 0; p < body.particles.size(); ++p)
-          body.particles.component(ParticleProperty::velocity, d)[p] +=
-            time_step * body.particles.component(ParticleProperty::magnetic_acceleration, d)[p];
+    // The plain loops know no magnetic force.
+    const std::vector<Body<dim>> pushed = pushed_by_magnets(bodies, time_step);
     PlainParticles<dim> plain(lattice, pushed);
     plain.particles_to_lattice(time_step);
     const PlainLattice<dim> momentum = plain.nodes();
@@ -260,23 +286,14 @@ TEMPLATE_TEST_CASE_SIG("stress keeps momentum and angular momentum, carried forc
                        2,
                        3)
 {
-  // P2G over a step with and without the magnetic acceleration that particles carry. Stress is an
-  // inner, symmetric action and leaves the sums alone, so only dt sum(m a) and dt sum(m x cross a)
-  // come in.
+  // P2G over a step of particles that carry magnetic accelerations, against particles that were pushed by
+  // them before. Stress is an inner, symmetric action and leaves the sums alone.
   const Lattice<dim> lattice    = test_lattice<dim>();
   const double time_step        = 0.01;
   std::vector<Body<dim>> bodies = random_bodies(lattice);
   const BlockSet<dim> blocks    = active_blocks(bodies, lattice);
   sort_all(blocks, lattice, bodies);
-  Balance<dim> expected             = balance_of_particles(bodies, lattice);
-  const ParticleSet<dim> &particles = bodies[0].particles;
-  for (std::size_t p = 0; p < particles.size(); ++p)
-    {
-      const Vector<dim> impulse = (time_step * particles.component(ParticleProperty::mass, 0)[p]) *
-                                  particles.vector(ParticleProperty::magnetic_acceleration, p);
-      expected.momentum += impulse;
-      expected.angular_momentum += cross(particles.position(p), impulse);
-    }
+  const Balance<dim> expected = balance_of_particles(pushed_by_magnets(bodies, time_step), lattice);
   NodeField<dim> field;
   field.reinit(blocks.size());
   particles_to_lattice(bodies, blocks, lattice, time_step, field);
@@ -655,4 +672,56 @@ TEMPLATE_TEST_CASE_SIG("magnetic particles take a linear field from the nodes ex
     ParticleProperty::magnetic_field,
     bodies);
   CHECK(largest_difference(bodies, expected) < 1e-13);
+}
+
+TEMPLATE_TEST_CASE_SIG("magnetic particles give back sum and first moments of a force on nodes",
+                       "[particles]",
+                       ((int dim), dim),
+                       2,
+                       3)
+{
+  // Particles take accelerations f_i/m_i of the nodes, a different one for each, and P2G makes momentum of them.
+  // sum f_i and sum f_i x_i^T are kept for any f_i, since the affine part holds what the mean of a
+  // particle's nodes loses: with D = dx^2/4 both sides are sum_p m_p sum_i N_ip a_i x_i^T.
+  const Lattice<dim> lattice    = test_lattice<dim>();
+  const double time_step        = 0.01;
+  std::vector<Body<dim>> bodies = random_bodies(lattice);
+  const BlockSet<dim> blocks    = active_blocks(bodies, lattice);
+  sort_all(blocks, lattice, bodies);
+  constexpr auto vector = SingleVector::value;
+  NodeField<dim, SingleScalar> masses(blocks.size());
+  magnetic_mass_to_lattice(bodies, blocks, lattice, masses);
+
+  Random random(11);
+  NodeField<dim, SingleVector> accelerations(blocks.size());
+  NodeField<dim> before(blocks.size()), after(blocks.size());
+  for (const double factor : {0., 1.})
+    {
+      random = Random(11);
+      for_nodes(blocks, [&](const int slot, const int n) {
+        Vector<dim> a;
+        for (int d = 0; d < dim; ++d)
+          a[d] = factor * random.between(-5., 5.);
+        accelerations.set(vector, slot, n, a);
+      });
+      accelerations_to_particles(accelerations, blocks, lattice, bodies);
+      particles_to_lattice(bodies, blocks, lattice, time_step, factor == 0. ? before : after);
+    }
+
+  Matrix<dim> moment, expected_moment;
+  Vector<dim> force, expected_force;
+  for_nodes(blocks, [&](const int slot, const int n) {
+    const Vector<dim> x = lattice.node_position(node_of_block<dim>(blocks.block(slot), n));
+    const Vector<dim> f = masses.get(SingleScalar::value, slot, n) *
+                          accelerations.get(vector, slot, n);
+    const Vector<dim> given = (1. / time_step) * (after.get(NodeMotion::momentum, slot, n) -
+                                                  before.get(NodeMotion::momentum, slot, n));
+    expected_force += f;
+    force += given;
+    expected_moment += outer(f, x);
+    moment += outer(given, x);
+  });
+  CHECK(norm(expected_force) > 1.);
+  CHECK(norm(force - expected_force) < 1e-10);
+  CHECK(frobenius_norm(moment + (-1.) * expected_moment) < 1e-10);
 }

@@ -3,6 +3,7 @@
 #include <magmpm/particles/magnetic_transfer.h>
 #include <magmpm/particles/particle_grid_transfer.h>
 #include <magmpm/particles/particle_migration.h>
+#include <magmpm/particles/particle_state.h>
 
 #include <verification/magnetostatics/particle_setup.h>
 
@@ -137,10 +138,7 @@ namespace magmpm::verification
   void
   ParticleSetup<dim>::hand_force_to_particles(const NodeField<dim, SingleScalar> &mass)
   {
-    const NodeField<dim, SingleVector> acceleration =
-      accelerations_to_carry(partition, lattice, mass, node_force, bodies);
-    interpolate_to_particles(
-      acceleration, partition.blocks(), lattice, ParticleProperty::magnetic_acceleration, bodies);
+    carry_force(partition, lattice, mass, node_force, bodies);
   }
 
   template <int dim>
@@ -195,9 +193,15 @@ namespace magmpm::verification
   {
     Matrix<dim> sum;
     for (std::size_t body = 0; body < bodies.size(); ++body)
-      for_all_forces_of_particles(body, [&](const Vector<dim> &f, const Vector<dim> &x) {
-        sum += outer(f, x - centre);
-      });
+      {
+        for_all_forces_of_particles(body, [&](const Vector<dim> &f, const Vector<dim> &x) {
+          sum += outer(f, x - centre);
+        });
+        const auto particles = bodies[body].particles.arrays();
+        for (std::size_t p = 0; p < bodies[body].particles.size(); ++p)
+          sum += (0.25 * lattice.spacing * lattice.spacing * particles.mass[p]) *
+                 load_matrix<dim>(particles.magnetic_acceleration_gradient, p);
+      }
     return parallel::sum(sum, communicator);
   }
 

@@ -105,6 +105,7 @@ namespace magmpm::verification
         fill(ParticleProperty::mass, p, 0.5, 2.);
         fill(ParticleProperty::volume, p, 0.5, 2.);
         fill(ParticleProperty::magnetic_acceleration, p, -5., 5.);
+        fill(ParticleProperty::magnetic_acceleration_gradient, p, -3., 3.);
         fill(ParticleProperty::magnetic_field, p, -5., 5.);
       }
   }

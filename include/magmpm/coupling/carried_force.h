@@ -9,28 +9,28 @@
 namespace magmpm
 {
   /**
-   * Between solves of the potential magnetic particles carry the force as an acceleration, which goes on
-   * changing at the rate of the last two solves (coupling/extrapolation.h).
+   * Between solves of the potential magnetic particles carry the force as an acceleration and its gradient,
+   * which go on changing at the rate of the last two solves (coupling/extrapolation.h).
    */
 
   /**
-   * Accelerations of the nodes [m/s^2] for magnetic particles to take. With a_i = f_i/m_i what they give
-   * back in P2G would be the force smeared once more, out of the layer that it acts on into what still
-   * moves freely; so that is corrected by a step of Richardson's,
-   *   a_i <- a_i + (f_i - sum_p m_p N_ip sum_j N_jp a_j)/m_i,
-   * which leaves the sum of the force. Collective.
+   * Lets magnetic particles take the accelerations a_i = f_i/m_i of the nodes as G2P takes velocities, with
+   * an affine part,
+   *   a_p = sum_i N_ip a_i,   A_p = 4/dx^2 sum_i N_ip a_i (x_i - x_p)^T,
+   * which P2G gives back to the nodes around. a_p alone would lay the force of a surface half a dx too deep.
+   * With A_p, sum and first moments are kept, exactly and particle by particle: force, torque and virial are
+   * those of the f_i, and f_i stays where it acts but for its second moments. Collective.
    *
    * @param masses  of magnetic particles on the nodes [kg].
-   * @param force   [N] on owned nodes.
-   * @return with ghosts up to date.
+   * @param force   [N] on owned nodes, zero where no mass is.
    */
   template <int dim>
-  NodeField<dim, SingleVector>
-  accelerations_to_carry(const BlockPartition<dim> &partition,
-                         const Lattice<dim> &lattice,
-                         const NodeField<dim, SingleScalar> &masses,
-                         const NodeField<dim, SingleVector> &force,
-                         std::vector<Body<dim>> &bodies);
+  void
+  carry_force(const BlockPartition<dim> &partition,
+              const Lattice<dim> &lattice,
+              const NodeField<dim, SingleScalar> &masses,
+              const NodeField<dim, SingleVector> &force,
+              std::vector<Body<dim>> &bodies);
 
   /**
    * Before a solve: the rate becomes the acceleration at the solve before, until

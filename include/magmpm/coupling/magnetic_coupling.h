@@ -177,6 +177,10 @@ namespace magmpm
     load(const std::string &bytes) override;
 
   private:
+    /** The way of the material and the sources since the last solve, per which the force changes [m]. */
+    double
+    way_of_force() const;
+
     /** Lets the carried force follow the motion since the last solve. */
     void
     advance_force(std::vector<Body<dim>> &bodies);
@@ -208,13 +212,13 @@ namespace magmpm
     NodeField<dim, NodeContent>
     magnetic_content(std::vector<Body<dim>> &bodies) const;
 
-    /** Accelerations of the nodes [m/s^2] by the magnetic force. */
-    NodeField<dim, SingleVector>
-    nodal_accelerations(std::vector<Body<dim>> &bodies);
-
-    /** Gives particles the accelerations of the nodes [m/s^2], and their rate of change. */
+    /**
+     * Finds the magnetic force on the nodes, and lets particles carry it, with its rate of change.
+     *
+     * @param way  since the solve before, or 0 [m].
+     */
     void
-    carry_force(const NodeField<dim, SingleVector> &accelerations, std::vector<Body<dim>> &bodies);
+    find_force(const double way, std::vector<Body<dim>> &bodies);
 
     /** What the material does to the sources. @param way  since they were found last, or 0 [m]. */
     void

@@ -28,19 +28,17 @@ namespace magmpm
                            NodeField<dim, SingleScalar> &mass);
 
   /**
-   * What magnetic particles that take an acceleration from the nodes give back to them as force:
-   *   sum_p m_p N_ip sum_j N_jp a_j.
+   * What accelerations of the nodes become on magnetic particles, as G2P of APIC makes velocities: a_p, and
+   * A_p = 4/dx^2 sum_i N_ip a_i (x_i - x_p)^T, of which P2G makes force again.
    *
-   * @param accelerations  ghosts up to date.
-   * @param forces         on return the sums over this rank's particles, also on ghosts.
+   * @param accelerations  [m/s^2], ghosts up to date.
    */
   template <int dim>
   void
-  carried_force_on_lattice(std::vector<Body<dim>> &bodies,
-                           const BlockSet<dim> &blocks,
-                           const Lattice<dim> &lattice,
-                           const NodeField<dim, SingleVector> &accelerations,
-                           NodeField<dim, SingleVector> &forces);
+  accelerations_to_particles(const NodeField<dim, SingleVector> &accelerations,
+                             const BlockSet<dim> &blocks,
+                             const Lattice<dim> &lattice,
+                             std::vector<Body<dim>> &bodies);
 
   /** What a vector on the nodes becomes on magnetic particles. */
   template <int dim>

@@ -36,7 +36,7 @@ namespace magmpm
    * P2G, Eq. (28) of Sun et al. 2021: mass, momentum with the affine part of APIC, and the impulses of
    * the stress and of the carried magnetic force over a step. A solid's stress acts by the gradient of
    * the lattice's own field,
-   *   (m v)_i += N_ip m [ v + dt a + C (x_i - x_p) ] - dt V_0 tau grad N_i(x_p),
+   *   (m v)_i += N_ip m [ v + dt a + (C + dt A) (x_i - x_p) ] - dt V_0 tau grad N_i(x_p),
    * a fluid's in the form of MLS-MPM, with 4/dx^2 N_ip (x_i - x_p) in place of grad N_i. That is no
    * gradient: a solid of which F grew by it would take up less strain than it is bent by, and creep.
    * The stress of a nearly incompressible solid has the volumetric part that smoothed_volume.h found last.

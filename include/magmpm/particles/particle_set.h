@@ -19,15 +19,17 @@ namespace magmpm
     mass,
     volume, ///< undeformed
     magnetic_acceleration,
-    magnetic_acceleration_rate, ///< see carried_force.h
-    magnetic_field,             ///< H at the last solve
-    position_at_solve,          ///< of the potential
+    magnetic_acceleration_gradient,      ///< by rows
+    magnetic_acceleration_rate,          ///< see carried_force.h
+    magnetic_acceleration_gradient_rate, ///< likewise
+    magnetic_field,                      ///< H at the last solve
+    position_at_solve,                   ///< of the potential
     half_extent, ///< of solids: how far it fills its surroundings, undeformed; see ParticleExtent
     exposed_faces, ///< of solids: sum of 2^face over the sides on which nothing of the body was next to it
     volumetric_stress ///< of nearly incompressible solids; see smoothed_volume.h
   };
 
-  inline constexpr int n_particle_properties = 13;
+  inline constexpr int n_particle_properties = 15;
 
   /** Numbers of a symmetric matrix: the lower triangle, by rows. */
   template <int dim>
@@ -47,11 +49,12 @@ namespace magmpm
     Number *deformation[dim * dim]; ///< only the first one if the deformation is J
     Number *mass;
     Number *volume;
-    Number *magnetic_acceleration[dim];               ///< null without magnetic material
-    Number *magnetic_field[dim];                      ///< null without magnetic material
-    Number *half_extent[n_symmetric_components<dim>]; ///< null of fluids
-    Number *exposed_faces;                            ///< likewise
-    Number *volumetric_stress;                        ///< null unless nearly incompressible
+    Number *magnetic_acceleration[dim];                ///< null without magnetic material
+    Number *magnetic_acceleration_gradient[dim * dim]; ///< likewise
+    Number *magnetic_field[dim];                       ///< null without magnetic material
+    Number *half_extent[n_symmetric_components<dim>];  ///< null of fluids
+    Number *exposed_faces;                             ///< likewise
+    Number *volumetric_stress;                         ///< null unless nearly incompressible
   };
 
   /**
