@@ -7,7 +7,7 @@ namespace magmpm
   void
   CarriedReactions<dim>::set(const std::vector<ForceAndTorque<dim>> &found, const double way)
   {
-    advance(-way); // to what the last solve found
+    advance(-advanced);
     const std::vector<ForceAndTorque<dim>> before = now;
 
     now = found;
@@ -26,13 +26,14 @@ namespace magmpm
         now[s].force += way * rate[s].force;
         now[s].torque += way * rate[s].torque;
       }
+    advanced += way;
   }
 
   template <int dim>
   void
-  CarriedReactions<dim>::freeze(const double way)
+  CarriedReactions<dim>::freeze()
   {
-    advance(-way);
+    advance(-advanced);
     rate.assign(now.size(), {});
   }
 

@@ -8,6 +8,8 @@
 #include <magmpm/particles/particle_sums.h>
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace magmpm
 {
@@ -61,7 +63,9 @@ namespace magmpm
     advance_force(bodies);
     update_age(bodies);
     if (is_due(clock))
-      solve(clock, bodies);
+      solve(clock, way_of_force(), bodies);
+    else if (has_stopped(clock, bodies))
+      solve(clock, 0., bodies);
   }
 
   template <int dim>
@@ -106,10 +110,16 @@ namespace magmpm
   {
     if (memory.n_solves == 0)
       return 0.;
+    return memory.age.path + change_of_sources();
+  }
+
+  template <int dim>
+  double
+  MagneticCoupling<dim>::change_of_sources() const
+  {
     // A source that changes in strength by all of itself counts as one that moves by dx.
     const auto change = external_field.change_since_remembered();
-    return memory.age.path + change.displacement +
-           change.relative_strength * parameters.lattice.spacing;
+    return change.displacement + change.relative_strength * parameters.lattice.spacing;
   }
 
   template <int dim>
@@ -133,9 +143,19 @@ namespace magmpm
   double
   MagneticCoupling<dim>::tolerated_drift() const
   {
-    // After the first solve the rate of the force is not known yet: the second one comes soon.
-    return (memory.n_solves == 1 ? 0.5 : 1.) * parameters.trigger.moved_fraction *
+    // Without a rate, as after the first solve, the next one comes soon.
+    return (memory.has_rate ? 1. : 0.5) * parameters.trigger.moved_fraction *
            parameters.lattice.spacing;
+  }
+
+  template <int dim>
+  void
+  MagneticCoupling<dim>::find_drift(const std::vector<Body<dim>> &bodies)
+  {
+    double drift = 0.;
+    for (const Body<dim> &body : bodies)
+      drift = std::max(drift, way_since_solve(body));
+    memory.age.drift = parallel::max(drift, communicator);
   }
 
   template <int dim>
@@ -146,16 +166,13 @@ namespace magmpm
     if (memory.n_solves == 0 || memory.age.drift <= tolerated_drift() ||
         parameters.trigger.trigger != SolveTriggerParameters::Trigger::when_changed)
       return;
-    double drift = 0.;
-    for (const Body<dim> &body : bodies)
-      drift = std::max(drift, way_since_solve(body));
-    memory.age.drift = parallel::max(drift, communicator);
+    find_drift(bodies);
     if (memory.age.drift > tolerated_drift() || memory.age.drift > 0.5 * memory.age.path)
       return;
     // A motion that turned back is a vibration: its way says nothing about the force.
     for (Body<dim> &body : bodies)
       freeze_carried_force(memory.age.carried_way, body);
-    memory.reactions.freeze(memory.age.carried_way);
+    memory.reactions.freeze();
   }
 
   template <int dim>
@@ -181,12 +198,28 @@ namespace magmpm
   }
 
   template <int dim>
+  bool
+  MagneticCoupling<dim>::has_stopped(const Clock &clock, const std::vector<Body<dim>> &bodies)
+  {
+    constexpr double noticeable = 1e-3; // of dx
+    constexpr double hardly     = 1.5;  // times the change at the look before
+    SolveAge &age               = memory.age;
+    if (parameters.trigger.trigger != SolveTriggerParameters::Trigger::when_changed ||
+        clock.time - memory.time_of_solve < age.next_look)
+      return false;
+    age.next_look = 2. * std::max(age.next_look, clock.time_step);
+    find_drift(bodies);
+    const double change = age.drift + change_of_sources();
+    const double before = std::exchange(age.change_at_look, change);
+    return change > noticeable * parameters.lattice.spacing && change < hardly * before;
+  }
+
+  template <int dim>
   void
-  MagneticCoupling<dim>::solve(const Clock &clock, std::vector<Body<dim>> &bodies)
+  MagneticCoupling<dim>::solve(const Clock &clock, const double way, std::vector<Body<dim>> &bodies)
   {
     const parallel::PhaseTimer::Scope timed(timer, "Solve potential");
     solve_potential(bodies);
-    const double way = way_of_force();
     find_force(way, bodies);
     NodeField<dim, SingleVector> field;
     problem->compute_field(field);
@@ -195,15 +228,18 @@ namespace magmpm
 
     for (Body<dim> &body : bodies)
       remember_positions(body);
+    memory.way_since_reactions += way_of_force();
     external_field.remember();
+    memory.has_rate         = way > 0.;
     memory.age              = {};
+    memory.age.next_look    = clock.time - memory.time_of_solve;
     memory.solved_this_step = true;
     memory.step_of_solve    = clock.step;
     memory.time_of_solve    = clock.time;
     ++memory.n_solves;
     // What moves a free magnet is needed now, what is only told of magnets when a row is written.
     if (parameters.moves_magnets)
-      find_reactions(way);
+      find_reactions(memory.has_rate ? memory.way_since_reactions : 0.);
     find_limits(bodies);
   }
 
@@ -260,7 +296,8 @@ namespace magmpm
   {
     memory.reactions.set(
       reactions_on_sources(problem->material_samples(), external_field, communicator), way);
-    memory.solve_of_reactions = memory.n_solves;
+    memory.solve_of_reactions  = memory.n_solves;
+    memory.way_since_reactions = 0.;
   }
 
   template <int dim>
@@ -269,7 +306,8 @@ namespace magmpm
   {
     if (is_active() && memory.solve_of_reactions != memory.n_solves &&
         !external_field.sources().empty() && mesh_of_last_solve == mesh->revision())
-      find_reactions(0.);
+      // Later the sources may have moved since the solve, and a rate would count that twice.
+      find_reactions(memory.solved_this_step && memory.has_rate ? memory.way_since_reactions : 0.);
   }
 
   template class MagneticCoupling<2>;

@@ -56,6 +56,9 @@ namespace magmpm
       return memory.report.energy - work;
     });
     table.add("magnetic solves", "", [this] { return memory.n_solves; });
+    table.add("way since magnetic solve", "dx", [this] {
+      return memory.age.carried_way / parameters.lattice.spacing;
+    });
     table.add("Newton steps", "", solved([](const auto &report) { return report.newton.steps; }));
     table.add("line search steps", "", solved([](const auto &report) {
                 return report.newton.line_search_steps;
@@ -78,7 +81,7 @@ namespace magmpm
   SectionTitle
   MagneticCoupling<dim>::title() const
   {
-    return {"magnetics", 1};
+    return {"magnetics", 2};
   }
 
   template <int dim>

@@ -24,7 +24,7 @@ namespace magmpm
   class CarriedReactions
   {
   public:
-    /** Takes what a solve found. @param way  since the last solve for which this was called, or 0 [m]. */
+    /** Takes what a solve found. @param way  since the solve for which this was called before, or 0 [m]. */
     void
     set(const std::vector<ForceAndTorque<dim>> &found, const double way);
 
@@ -32,9 +32,9 @@ namespace magmpm
     void
     advance(const double way);
 
-    /** Goes back to what was found at the last solve, @p way [m] ago, and stays there. */
+    /** Goes back to what was found last, and stays there. */
     void
-    freeze(const double way);
+    freeze();
 
     /** On one source; zero before anything was found. */
     ForceAndTorque<dim>
@@ -46,10 +46,12 @@ namespace magmpm
     {
       archive &now;
       archive &rate;
+      archive &advanced;
     }
 
   private:
     std::vector<ForceAndTorque<dim>> now;  ///< by source
     std::vector<ForceAndTorque<dim>> rate; ///< per way of the fastest particle [.../m]
+    double advanced = 0.;                  ///< since they were found [m]
   };
 } // namespace magmpm

@@ -43,6 +43,10 @@ namespace magmpm
     double path        = 0.; ///< the sum of the steps of the fastest particles [m]
     double carried_way = 0.; ///< for which the carried force was advanced [m]
 
+    /** The age at which it is looked at next whether all stands still [s], and the change at the last look [m]. */
+    double next_look      = 0.;
+    double change_at_look = 0.;
+
     template <typename Archive>
     void
     serialize(Archive &archive, const unsigned int /*version*/)
@@ -50,6 +54,8 @@ namespace magmpm
       archive &drift;
       archive &path;
       archive &carried_way;
+      archive &next_look;
+      archive &change_at_look;
     }
   };
 
@@ -60,15 +66,17 @@ namespace magmpm
     bool is_over               = false; ///< the magnets act no more (MagneticCoupling::end())
     unsigned int n_solves      = 0;     ///< of the potential, so far
     bool solved_this_step      = false;
-    unsigned int step_of_solve = 0;  ///< the last one
-    double time_of_solve       = 0.; ///< [s]
-    SolveReport report;              ///< of the last one
-    Vector<dim> dropped_force;       ///< at the last solve, on no mass: reaches no particle [N]
+    bool has_rate              = false; ///< whether the force has one since the last solve
+    unsigned int step_of_solve = 0;     ///< the last one
+    double time_of_solve       = 0.;    ///< [s]
+    SolveReport report;                 ///< of the last one
+    Vector<dim> dropped_force;          ///< at the last solve, on no mass: reaches no particle [N]
     SolveAge age;
-    CarriedReactions<dim> reactions;      ///< empty until somebody asks for them
-    unsigned int solve_of_reactions = 0;  ///< n_solves when they were found
-    double max_wave_speed           = 0.; ///< that magnetization adds [m/s]
-    double max_acceleration         = 0.; ///< of a particle by magnets [m/s^2]
+    CarriedReactions<dim> reactions;     ///< empty until somebody asks for them
+    unsigned int solve_of_reactions = 0; ///< n_solves when they were found
+    double way_since_reactions = 0.; ///< to the last solve, from the one when they were found [m]
+    double max_wave_speed      = 0.; ///< that magnetization adds [m/s]
+    double max_acceleration    = 0.; ///< of a particle by magnets [m/s^2]
 
     template <typename Archive>
     void
@@ -77,6 +85,7 @@ namespace magmpm
       archive &is_over;
       archive &n_solves;
       archive &solved_this_step;
+      archive &has_rate;
       archive &step_of_solve;
       archive &time_of_solve;
       archive &report;
@@ -84,6 +93,7 @@ namespace magmpm
       archive &age;
       archive &reactions;
       archive &solve_of_reactions;
+      archive &way_since_reactions;
       archive &max_wave_speed;
       archive &max_acceleration;
     }
@@ -181,9 +191,17 @@ namespace magmpm
     double
     way_of_force() const;
 
+    /** The part of the sources in it [m]. */
+    double
+    change_of_sources() const;
+
     /** Lets the carried force follow the motion since the last solve. */
     void
     advance_force(std::vector<Body<dim>> &bodies);
+
+    /** Finds the drift exactly. Collective. */
+    void
+    find_drift(const std::vector<Body<dim>> &bodies);
 
     /**
      * Finds the drift exactly, if its upper bound is beyond what is tolerated. Lets the force rest at its
@@ -196,13 +214,26 @@ namespace magmpm
     bool
     is_due(const Clock &clock) const;
 
+    /**
+     * Whether motion has stopped before the next solve was due, so that the force stays that of another place:
+     * looked at when it is as old as the interval of the last two solves, and 2, 4, 8, .. times as old. It has
+     * where material and sources are noticeably from where they were at the solve and hardly further than at the
+     * look before. What vibrates for ever is so solved for at intervals that at least double. Collective.
+     */
+    bool
+    has_stopped(const Clock &clock, const std::vector<Body<dim>> &bodies);
+
     /** By how much material may move between two solves [m]. */
     double
     tolerated_drift() const;
 
-    /** Solves the potential and lets the particles carry the force. */
+    /**
+     * Solves the potential and lets the particles carry the force.
+     *
+     * @param way  since the solve before, for the rate of the force; 0: none [m].
+     */
     void
-    solve(const Clock &clock, std::vector<Body<dim>> &bodies);
+    solve(const Clock &clock, const double way, std::vector<Body<dim>> &bodies);
 
     /** Finds the potential of the present material, Eqs. (25)-(30). */
     void
@@ -220,7 +251,7 @@ namespace magmpm
     void
     find_force(const double way, std::vector<Body<dim>> &bodies);
 
-    /** What the material does to the sources. @param way  since they were found last, or 0 [m]. */
+    /** What the material does to the sources. @param way  since the solve of which they were found last, or 0 [m]. */
     void
     find_reactions(const double way);
 
