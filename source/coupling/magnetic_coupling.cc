@@ -1,4 +1,6 @@
 #include <magmpm/coupling/carried_force.h>
+#include <magmpm/coupling/extrapolation.h>
+#include <magmpm/coupling/force_moments.h>
 #include <magmpm/coupling/magnetic_coupling.h>
 #include <magmpm/lattice/node_window.h>
 #include <magmpm/magnetics/potential_problem.h>
@@ -141,11 +143,30 @@ namespace magmpm
 
   template <int dim>
   double
-  MagneticCoupling<dim>::tolerated_drift() const
+  MagneticCoupling<dim>::tolerated_share() const
   {
     // Without a rate, as after the first solve, the next one comes soon.
-    return (memory.has_rate ? 1. : 0.5) * parameters.trigger.moved_fraction *
-           parameters.lattice.spacing;
+    return memory.has_rate ? memory.share : std::min(memory.share, 0.2);
+  }
+
+  template <int dim>
+  double
+  MagneticCoupling<dim>::tolerated_drift() const
+  {
+    return tolerated_share() * parameters.trigger.moved_fraction * parameters.lattice.spacing;
+  }
+
+  template <int dim>
+  double
+  MagneticCoupling<dim>::taken_share() const
+  {
+    const auto over = [](const double change, const double tolerated) {
+      return tolerated > 0. ? change / tolerated : 1.;
+    };
+    const auto change = external_field.change_since_remembered();
+    const double way  = std::max(memory.age.drift, change.displacement);
+    return std::max(over(way, parameters.trigger.moved_fraction * parameters.lattice.spacing),
+                    over(change.relative_strength, parameters.trigger.changed_fraction));
   }
 
   template <int dim>
@@ -193,7 +214,7 @@ namespace magmpm
         default:
           const auto change = external_field.change_since_remembered();
           return memory.age.drift > tolerated_drift() || change.displacement > tolerated_drift() ||
-                 change.relative_strength > parameters.trigger.changed_fraction;
+                 change.relative_strength > tolerated_share() * parameters.trigger.changed_fraction;
       }
   }
 
@@ -283,11 +304,18 @@ namespace magmpm
     partition->update_ghosts(masses);
     memory.dropped_force = problem->compute_force(masses, force);
 
+    const ForceMoments<dim> carried = force_moments(bodies, parameters.lattice, communicator);
     for (Body<dim> &body : bodies)
       recall_carried_force(memory.age.carried_way, body);
     carry_force(*partition, parameters.lattice, masses, force, bodies);
     for (Body<dim> &body : bodies)
       set_rate_of_carried_force(way, body);
+    if (way > 0.)
+      memory.share = next_share(
+        memory.share,
+        taken_share(),
+        relative_difference(carried, force_moments(bodies, parameters.lattice, communicator)),
+        parameters.trigger.force_tolerance);
   }
 
   template <int dim>

@@ -66,6 +66,13 @@ namespace magmpm
                        "-",
                        "With When = changed: after the external field changed by this fraction.",
                        not_negative);
+      declarations.add(
+        "Force tolerance",
+        trigger.force_tolerance,
+        "-",
+        "With When = changed: after less than these fractions where force, torque or "
+        "virial carried since a solve differed by more than this part from the next one.",
+        positive);
       declarations.add("Steps", trigger.n_steps, "-", "With When = every n steps: n.", {1., 1e9});
     }
   } // namespace

@@ -1,6 +1,8 @@
 #include "catch.h"
 
 #include <magmpm/coupling/carried_force.h>
+#include <magmpm/coupling/extrapolation.h>
+#include <magmpm/coupling/force_moments.h>
 
 using namespace magmpm;
 
@@ -113,6 +115,63 @@ TEMPLATE_TEST_CASE_SIG("A sudden force is not carried on", "[coupling]", ((int d
   recall_carried_force(0.1, other);
   set_rate_of_carried_force(0.1, other);
   CHECK(other.particles.n_components(ParticleProperty::magnetic_acceleration_rate) == 0);
+}
+
+// An error that grows with the square of the way meets the tolerance after a few intervals, from wherever they
+// start: in steps by a factor of 0.4 to 2. Without an error they grow to all that is tolerated, and no error
+// makes them shorter than a fifth.
+TEST_CASE("Intervals between solves find the way that the tolerance allows", "[coupling]")
+{
+  const double tolerance = 0.003, exact = 0.6;
+  const auto error = [&](const double taken) { return tolerance * std::pow(taken / exact, 2); };
+  for (const double start : {0.2, 1.})
+    {
+      double share = start;
+      for (int solve = 0; solve < 4; ++solve)
+        {
+          const double next = next_share(share, share, error(share), tolerance);
+          CHECK(next <= 2. * share);
+          CHECK(next >= 0.4 * share);
+          share = next;
+        }
+      CHECK(share == Approx(exact));
+    }
+  CHECK(next_share(0.3, 0.3, 0., tolerance) == Approx(0.6));
+  CHECK(next_share(0.8, 0.8, 0., tolerance) == 1.);
+  CHECK(next_share(0.3, 0.3, 1., tolerance) == 0.2);
+}
+
+// Two particles of 1 and 2 kg with accelerations along x and y and gradients: sums by hand. Twice the force is off by
+// one half of itself, in everything.
+TEST_CASE("Force and virial of what particles carry are sums over them", "[coupling]")
+{
+  const double spacing = 0.2;
+  Lattice<2> lattice;
+  lattice.spacing = spacing;
+  std::vector<Body<2>> bodies(1, body_of_two_particles<2>(true));
+  bodies.push_back(body_of_two_particles<2>(false));
+  set_acceleration(1., bodies[0]); // a = (1, 2) and (11, 12), A = (1, 2; 3, 4) and ten more
+  for (std::size_t p = 0; p < 2; ++p)
+    {
+      bodies[0].particles.component(ParticleProperty::mass, 0)[p]     = 1. + p;
+      bodies[0].particles.component(ParticleProperty::position, 0)[p] = 3. * p;
+      bodies[0].particles.component(ParticleProperty::position, 1)[p] = 6.;
+    }
+  const ForceMoments<2> moments = force_moments(bodies, lattice, MPI_COMM_SELF);
+  CHECK(moments.mass == Approx(3.));
+  CHECK(moments.force[0] == Approx(23.));
+  CHECK(moments.force[1] == Approx(26.));
+  CHECK(moments.size == Approx(std::sqrt(5.) + 2. * std::sqrt(265.)));
+  // The centre of mass is (2, 6): only x counts in f x^T, by -2 and +1; dx^2/4 = 0.01.
+  const Matrix<2> virial = moments.virial();
+  CHECK(virial(0, 0) == Approx(-2. * 1. + 22. + 0.01 * (1. + 2. * 11.)));
+  CHECK(virial(0, 1) == Approx(0.01 * (2. + 2. * 12.)));
+  CHECK(virial(1, 0) == Approx(-2. * 2. + 24. + 0.01 * (3. + 2. * 13.)));
+  CHECK(virial(1, 1) == Approx(0.01 * (4. + 2. * 14.)));
+
+  std::vector<Body<2>> twice = bodies;
+  set_acceleration(2., twice[0]);
+  CHECK(relative_difference(moments, force_moments(twice, lattice, MPI_COMM_SELF)) == Approx(0.5));
 }
 
 // m (a_then + a_now)/2 . (x - x_then), a growing evenly from 3 to 3.5 times (1, 2(, 3)) on the way; the second

@@ -1,5 +1,4 @@
-#include <magmpm/parallel/reduce.h>
-#include <magmpm/particles/particle_state.h>
+#include <magmpm/coupling/force_moments.h>
 #include <magmpm/simulation/scene.h>
 
 #include <verification/mechanics/carried_force_errors.h>
@@ -11,53 +10,6 @@ namespace magmpm::verification
 {
   namespace
   {
-    /** Sum of the force that particles carry [N], and of f x^T about the centre of mass [J]. */
-    template <int dim>
-    struct ForceMoments
-    {
-      Vector<dim> force;
-      double sum_of_sizes = 0.;
-      Matrix<dim> virial;
-    };
-
-    template <int dim>
-    ForceMoments<dim>
-    force_moments(const std::vector<Body<dim>> &bodies, const double spacing)
-    {
-      double mass = 0.;
-      Vector<dim> mass_times_position;
-      ForceMoments<dim> sum;
-      for (const Body<dim> &body : bodies)
-        {
-          if (!body.magnetic.is_magnetic())
-            continue;
-          const auto particles = body.particles.arrays();
-          for (std::size_t p = 0; p < body.particles.size(); ++p)
-            {
-              const double m      = particles.mass[p];
-              const Vector<dim> x = body.particles.position(p);
-              const Vector<dim> f = m * load_vector<dim>(particles.magnetic_acceleration, p);
-              mass += m;
-              mass_times_position += m * x;
-              sum.force += f;
-              sum.sum_of_sizes += norm(f);
-              sum.virial += outer(f, x);
-              sum.virial += (0.25 * spacing * spacing * m) *
-                            load_matrix<dim>(particles.magnetic_acceleration_gradient, p);
-            }
-        }
-      parallel::Reduction reduction;
-      reduction.sum(mass);
-      reduction.sum(mass_times_position);
-      reduction.sum(sum.force);
-      reduction.sum(sum.sum_of_sizes);
-      for (int i = 0; i < dim * dim; ++i)
-        reduction.sum(sum.virial(i / dim, i % dim));
-      reduction.carry_out(MPI_COMM_WORLD);
-      sum.virial += outer((-1. / mass) * sum.force, mass_times_position);
-      return sum;
-    }
-
     template <int dim>
     Matrix<dim>
     skew_part(const Matrix<dim> &matrix)
@@ -82,11 +34,11 @@ namespace magmpm::verification
             const ForceMoments<dim> &solved,
             CarriedForceErrors &errors)
     {
-      const Matrix<dim> difference = carried.virial + (-1.) * solved.virial;
+      const Matrix<dim> difference = carried.virial() + (-1.) * solved.virial();
       const Matrix<dim> skew       = skew_part(difference);
-      const double size            = frobenius_norm(solved.virial);
+      const double size            = frobenius_norm(solved.virial());
       add_error(norm(carried.force - solved.force) /
-                  std::max(norm(solved.force), 0.1 * solved.sum_of_sizes),
+                  std::max(norm(solved.force), 0.1 * solved.size),
                 errors.force);
       add_error(frobenius_norm(skew) / size, errors.torque);
       add_error(frobenius_norm(difference + (-1.) * skew) / size, errors.virial);
@@ -102,7 +54,6 @@ namespace magmpm::verification
   {
     Parameters<dim> solving       = parameters;
     solving.solve_trigger.trigger = SolveTriggerParameters::Trigger::every_step;
-    const double spacing          = parameters.lattice.spacing;
     Scene<dim> scene(parameters, MPI_COMM_WORLD), other(solving, MPI_COMM_WORLD);
     scene.begin();
     CarriedForceErrors errors;
@@ -118,8 +69,9 @@ namespace magmpm::verification
         other.load(sections, [&](std::vector<Body<dim>> &bodies) { bodies = scene.bodies(); });
         scene.step({end_time, false, {}});
         other.step({end_time, false, {}});
-        compare(
-          force_moments(scene.bodies(), spacing), force_moments(other.bodies(), spacing), errors);
+        compare(force_moments(scene.bodies(), parameters.lattice, MPI_COMM_WORLD),
+                force_moments(other.bodies(), parameters.lattice, MPI_COMM_WORLD),
+                errors);
       }
     errors.n_solves = scene.magnetics().state().n_solves;
     for (CarriedForceErrors::Measure *measure : {&errors.force, &errors.torque, &errors.virial})

@@ -2,6 +2,9 @@
 
 #include <magmpm/base/tensor.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace magmpm
 {
   /**
@@ -29,5 +32,20 @@ namespace magmpm
     if (norm(change) > allowed)
       factor *= allowed / norm(change);
     return factor * change;
+  }
+
+  /**
+   * How much of the tolerated way the next interval between solves may take, so that the force carried over it stays
+   * within a tolerance: by the error of the last one, which grows with the square of the way where the rate is
+   * known. No less than 0.4 and no more than 2 times the share before, and between 0.2 and 1.
+   *
+   * @param share  that the last interval was to take. @param taken  what it took, in steps.
+   * @param error  of the carried force at its end.
+   */
+  inline double
+  next_share(const double share, const double taken, const double error, const double tolerance)
+  {
+    const double wanted = error > 0. ? taken * std::sqrt(tolerance / error) : 1.;
+    return std::clamp(std::clamp(wanted, 0.4 * share, 2. * share), 0.2, 1.);
   }
 } // namespace magmpm

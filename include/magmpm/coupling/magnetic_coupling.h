@@ -63,14 +63,15 @@ namespace magmpm
   template <int dim>
   struct MagneticState
   {
-    bool is_over               = false; ///< the magnets act no more (MagneticCoupling::end())
-    unsigned int n_solves      = 0;     ///< of the potential, so far
-    bool solved_this_step      = false;
-    bool has_rate              = false; ///< whether the force has one since the last solve
-    unsigned int step_of_solve = 0;     ///< the last one
-    double time_of_solve       = 0.;    ///< [s]
-    SolveReport report;                 ///< of the last one
-    Vector<dim> dropped_force;          ///< at the last solve, on no mass: reaches no particle [N]
+    bool is_over          = false; ///< the magnets act no more (MagneticCoupling::end())
+    unsigned int n_solves = 0;     ///< of the potential, so far
+    bool solved_this_step = false;
+    bool has_rate         = false; ///< whether the force has one since the last solve
+    double share          = 1.; ///< of what is tolerated that this interval may take; next_share()
+    unsigned int step_of_solve = 0;  ///< the last one
+    double time_of_solve       = 0.; ///< [s]
+    SolveReport report;              ///< of the last one
+    Vector<dim> dropped_force;       ///< at the last solve, on no mass: reaches no particle [N]
     SolveAge age;
     CarriedReactions<dim> reactions;     ///< empty until somebody asks for them
     unsigned int solve_of_reactions = 0; ///< n_solves when they were found
@@ -86,6 +87,7 @@ namespace magmpm
       archive &n_solves;
       archive &solved_this_step;
       archive &has_rate;
+      archive &share;
       archive &step_of_solve;
       archive &time_of_solve;
       archive &report;
@@ -223,9 +225,17 @@ namespace magmpm
     bool
     has_stopped(const Clock &clock, const std::vector<Body<dim>> &bodies);
 
+    /** The share of what the parameters tolerate that may change before the next solve. */
+    double
+    tolerated_share() const;
+
     /** By how much material may move between two solves [m]. */
     double
     tolerated_drift() const;
+
+    /** What changed since the last solve over what the parameters tolerate. */
+    double
+    taken_share() const;
 
     /**
      * Solves the potential and lets the particles carry the force.

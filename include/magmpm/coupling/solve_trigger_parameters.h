@@ -13,8 +13,9 @@ namespace magmpm
     };
 
     Trigger trigger         = Trigger::when_changed;
-    double moved_fraction   = 0.15; ///< of dx
-    double changed_fraction = 0.01; ///< of the largest external field
+    double moved_fraction   = 0.15;  ///< of dx
+    double changed_fraction = 0.01;  ///< of the largest external field
+    double force_tolerance  = 0.003; ///< of force, torque and virial, of the carried force
     int n_steps             = 10;
   };
 } // namespace magmpm
