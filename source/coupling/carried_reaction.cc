@@ -5,16 +5,26 @@ namespace magmpm
 {
   template <int dim>
   void
-  CarriedReactions<dim>::set(const std::vector<ForceAndTorque<dim>> &found, const double way)
+  CarriedReactions<dim>::note_solve(const double way)
+  {
+    way_since_set += way;
+    is_up_to_date = false;
+  }
+
+  template <int dim>
+  void
+  CarriedReactions<dim>::set(const std::vector<ForceAndTorque<dim>> &found, const bool has_rate)
   {
     advance(-advanced);
     const std::vector<ForceAndTorque<dim>> before = now;
 
     now = found;
     rate.assign(found.size(), {});
-    for (std::size_t s = 0; s < found.size() && before.size() == found.size(); ++s)
-      rate[s] = {extrapolation_rate(before[s].force, now[s].force, way),
-                 extrapolation_rate(before[s].torque, now[s].torque, way)};
+    for (std::size_t s = 0; s < found.size() && has_rate && before.size() == found.size(); ++s)
+      rate[s] = {extrapolation_rate(before[s].force, now[s].force, way_since_set),
+                 extrapolation_rate(before[s].torque, now[s].torque, way_since_set)};
+    way_since_set = 0.;
+    is_up_to_date = true;
   }
 
   template <int dim>

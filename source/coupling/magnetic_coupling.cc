@@ -146,7 +146,7 @@ namespace magmpm
   MagneticCoupling<dim>::tolerated_share() const
   {
     // Without a rate, as after the first solve, the next one comes soon.
-    return memory.has_rate ? memory.share : std::min(memory.share, 0.2);
+    return memory.interval.has_rate ? memory.interval.share : std::min(memory.interval.share, 0.2);
   }
 
   template <int dim>
@@ -224,14 +224,14 @@ namespace magmpm
   {
     constexpr double noticeable = 1e-3; // of dx
     constexpr double hardly     = 1.5;  // times the change at the look before
-    SolveAge &age               = memory.age;
+    SolveInterval &interval     = memory.interval;
     if (parameters.trigger.trigger != SolveTriggerParameters::Trigger::when_changed ||
-        clock.time - memory.time_of_solve < age.next_look)
+        clock.time - memory.time_of_solve < interval.next_look)
       return false;
-    age.next_look = 2. * std::max(age.next_look, clock.time_step);
+    interval.next_look = 2. * std::max(interval.next_look, clock.time_step);
     find_drift(bodies);
-    const double change = age.drift + change_of_sources();
-    const double before = std::exchange(age.change_at_look, change);
+    const double change = memory.age.drift + change_of_sources();
+    const double before = std::exchange(interval.change_at_look, change);
     return change > noticeable * parameters.lattice.spacing && change < hardly * before;
   }
 
@@ -249,18 +249,17 @@ namespace magmpm
 
     for (Body<dim> &body : bodies)
       remember_positions(body);
-    memory.way_since_reactions += way_of_force();
+    memory.reactions.note_solve(way_of_force());
+    memory.interval = {way > 0., memory.interval.share, clock.time - memory.time_of_solve, 0.};
     external_field.remember();
-    memory.has_rate         = way > 0.;
     memory.age              = {};
-    memory.age.next_look    = clock.time - memory.time_of_solve;
     memory.solved_this_step = true;
     memory.step_of_solve    = clock.step;
     memory.time_of_solve    = clock.time;
     ++memory.n_solves;
     // What moves a free magnet is needed now, what is only told of magnets when a row is written.
     if (parameters.moves_magnets)
-      find_reactions(memory.has_rate ? memory.way_since_reactions : 0.);
+      find_reactions(memory.interval.has_rate);
     find_limits(bodies);
   }
 
@@ -311,8 +310,8 @@ namespace magmpm
     for (Body<dim> &body : bodies)
       set_rate_of_carried_force(way, body);
     if (way > 0.)
-      memory.share = next_share(
-        memory.share,
+      memory.interval.share = next_share(
+        memory.interval.share,
         taken_share(),
         relative_difference(carried, force_moments(bodies, parameters.lattice, communicator)),
         parameters.trigger.force_tolerance);
@@ -320,22 +319,20 @@ namespace magmpm
 
   template <int dim>
   void
-  MagneticCoupling<dim>::find_reactions(const double way)
+  MagneticCoupling<dim>::find_reactions(const bool has_rate)
   {
     memory.reactions.set(
-      reactions_on_sources(problem->material_samples(), external_field, communicator), way);
-    memory.solve_of_reactions  = memory.n_solves;
-    memory.way_since_reactions = 0.;
+      reactions_on_sources(problem->material_samples(), external_field, communicator), has_rate);
   }
 
   template <int dim>
   void
   MagneticCoupling<dim>::prepare_row()
   {
-    if (is_active() && memory.solve_of_reactions != memory.n_solves &&
-        !external_field.sources().empty() && mesh_of_last_solve == mesh->revision())
+    if (is_active() && !memory.reactions.are_of_last_solve() && !external_field.sources().empty() &&
+        mesh_of_last_solve == mesh->revision())
       // Later the sources may have moved since the solve, and a rate would count that twice.
-      find_reactions(memory.solved_this_step && memory.has_rate ? memory.way_since_reactions : 0.);
+      find_reactions(memory.solved_this_step && memory.interval.has_rate);
   }
 
   template class MagneticCoupling<2>;

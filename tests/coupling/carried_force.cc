@@ -1,6 +1,7 @@
 #include "catch.h"
 
 #include <magmpm/coupling/carried_force.h>
+#include <magmpm/coupling/carried_reaction.h>
 #include <magmpm/coupling/extrapolation.h>
 #include <magmpm/coupling/force_moments.h>
 
@@ -200,4 +201,34 @@ TEMPLATE_TEST_CASE_SIG("The carried force does its work since the solve",
     }
   CHECK(work_since_solve(1., body) == Approx(expected));
   CHECK(work_since_solve(1., body_of_two_particles<dim>(false)) == 0.);
+}
+
+// What the material does to a source is found at some of the solves, and goes on at the rate between these: from 100
+// to 150 over two solves 0.2 and 0.3 apart it is 160 another 0.1 later. Without a rate, or held, it stays.
+TEST_CASE("The force on a magnet is carried from one solve that finds it to the next", "[coupling]")
+{
+  std::vector<ForceAndTorque<2>> found(1);
+  const auto force = [](const CarriedReactions<2> &reactions) { return reactions.on(0).force[0]; };
+  CarriedReactions<2> reactions;
+  CHECK(reactions.are_of_last_solve());
+  reactions.note_solve(0.);
+  CHECK_FALSE(reactions.are_of_last_solve());
+  found[0].force[0] = 100.;
+  reactions.set(found, true);
+  CHECK(reactions.are_of_last_solve());
+  reactions.advance(0.2);
+  CHECK(force(reactions) == 100.);
+  reactions.note_solve(0.2);
+  reactions.note_solve(0.3);
+  found[0].force[0] = 150.;
+  reactions.set(found, true);
+  reactions.advance(0.1);
+  CHECK(force(reactions) == Approx(160.));
+  reactions.freeze();
+  CHECK(force(reactions) == Approx(150.));
+  reactions.note_solve(0.1);
+  found[0].force[0] = 170.;
+  reactions.set(found, false);
+  reactions.advance(0.1);
+  CHECK(force(reactions) == 170.);
 }

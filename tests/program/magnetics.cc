@@ -116,7 +116,8 @@ TEST_CASE("The number of ranks changes nothing", "[program]")
 TEST_CASE("A scene pays for what it needs", "[program]")
 {
   // Without magnetic material there is no solve and no mesh of a potential; a linear law is one
-  // linear system, so one Newton step; what does not change is solved once. The statistics count them.
+  // linear system, so one Newton step; what hardly changes is solved once, and once more when it has come to rest a
+  // hundredth of dx elsewhere. The statistics count them.
   SECTION("nothing magnetic")
   {
     const Outcome run = run_magmpm(source_folder() +
@@ -152,7 +153,7 @@ TEST_CASE("A scene pays for what it needs", "[program]")
     REQUIRE(run.exit_code == 0);
     const Statistics statistics("static");
     CHECK(statistics.n_rows() > 10);
-    CHECK(statistics.last("magnetic solves") == 1.);
+    CHECK(statistics.last("magnetic solves") <= 2.);
     CHECK(statistics.last("potential unknowns") > 1000.);
   }
 }

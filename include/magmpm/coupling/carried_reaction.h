@@ -24,9 +24,24 @@ namespace magmpm
   class CarriedReactions
   {
   public:
-    /** Takes what a solve found. @param way  since the solve for which this was called before, or 0 [m]. */
+    /** There was a solve, @p way after the one before [m]; what it found is still to come, or never asked for. */
     void
-    set(const std::vector<ForceAndTorque<dim>> &found, const double way);
+    note_solve(const double way);
+
+    /** Whether set() was called since then. */
+    bool
+    are_of_last_solve() const
+    {
+      return is_up_to_date;
+    }
+
+    /**
+     * Takes what the last solve found.
+     *
+     * @param has_rate  whether they go on changing as they did since they were found before.
+     */
+    void
+    set(const std::vector<ForceAndTorque<dim>> &found, const bool has_rate);
 
     /** @param way  [m] */
     void
@@ -47,11 +62,15 @@ namespace magmpm
       archive &now;
       archive &rate;
       archive &advanced;
+      archive &way_since_set;
+      archive &is_up_to_date;
     }
 
   private:
     std::vector<ForceAndTorque<dim>> now;  ///< by source
     std::vector<ForceAndTorque<dim>> rate; ///< per way of the fastest particle [.../m]
-    double advanced = 0.;                  ///< since they were found [m]
+    double advanced      = 0.;             ///< since they were found [m]
+    double way_since_set = 0.;   ///< to the last solve, from the one when they were found [m]
+    bool is_up_to_date   = true; ///< are_of_last_solve()
   };
 } // namespace magmpm

@@ -43,6 +43,22 @@ namespace magmpm
     double path        = 0.; ///< the sum of the steps of the fastest particles [m]
     double carried_way = 0.; ///< for which the carried force was advanced [m]
 
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &drift;
+      archive &path;
+      archive &carried_way;
+    }
+  };
+
+  /** The interval from the last solve to the next. */
+  struct SolveInterval
+  {
+    bool has_rate = false; ///< whether the force goes on changing in it
+    double share  = 1.;    ///< of what is tolerated that it may take; see next_share()
+
     /** The age at which it is looked at next whether all stands still [s], and the change at the last look [m]. */
     double next_look      = 0.;
     double change_at_look = 0.;
@@ -51,9 +67,8 @@ namespace magmpm
     void
     serialize(Archive &archive, const unsigned int /*version*/)
     {
-      archive &drift;
-      archive &path;
-      archive &carried_way;
+      archive &has_rate;
+      archive &share;
       archive &next_look;
       archive &change_at_look;
     }
@@ -63,21 +78,18 @@ namespace magmpm
   template <int dim>
   struct MagneticState
   {
-    bool is_over          = false; ///< the magnets act no more (MagneticCoupling::end())
-    unsigned int n_solves = 0;     ///< of the potential, so far
-    bool solved_this_step = false;
-    bool has_rate         = false; ///< whether the force has one since the last solve
-    double share          = 1.; ///< of what is tolerated that this interval may take; next_share()
+    bool is_over               = false; ///< the magnets act no more (MagneticCoupling::end())
+    unsigned int n_solves      = 0;     ///< of the potential, so far
+    bool solved_this_step      = false;
     unsigned int step_of_solve = 0;  ///< the last one
     double time_of_solve       = 0.; ///< [s]
     SolveReport report;              ///< of the last one
     Vector<dim> dropped_force;       ///< at the last solve, on no mass: reaches no particle [N]
     SolveAge age;
-    CarriedReactions<dim> reactions;     ///< empty until somebody asks for them
-    unsigned int solve_of_reactions = 0; ///< n_solves when they were found
-    double way_since_reactions = 0.; ///< to the last solve, from the one when they were found [m]
-    double max_wave_speed      = 0.; ///< that magnetization adds [m/s]
-    double max_acceleration    = 0.; ///< of a particle by magnets [m/s^2]
+    SolveInterval interval;
+    CarriedReactions<dim> reactions; ///< empty until somebody asks for them
+    double max_wave_speed   = 0.;    ///< that magnetization adds [m/s]
+    double max_acceleration = 0.;    ///< of a particle by magnets [m/s^2]
 
     template <typename Archive>
     void
@@ -86,16 +98,13 @@ namespace magmpm
       archive &is_over;
       archive &n_solves;
       archive &solved_this_step;
-      archive &has_rate;
-      archive &share;
       archive &step_of_solve;
       archive &time_of_solve;
       archive &report;
       archive &dropped_force;
       archive &age;
+      archive &interval;
       archive &reactions;
-      archive &solve_of_reactions;
-      archive &way_since_reactions;
       archive &max_wave_speed;
       archive &max_acceleration;
     }
@@ -261,9 +270,9 @@ namespace magmpm
     void
     find_force(const double way, std::vector<Body<dim>> &bodies);
 
-    /** What the material does to the sources. @param way  since the solve of which they were found last, or 0 [m]. */
+    /** What the material does to the sources at the last solve. @param has_rate  whether it goes on changing. */
     void
-    find_reactions(const double way);
+    find_reactions(const bool has_rate);
 
     /** The extremes over all particles that limit the time step. */
     void
