@@ -55,7 +55,7 @@ TEMPLATE_TEST_CASE_SIG("A magnetized sphere is as accurate as promised",
                        2,
                        3)
 {
-  CHECK(check_limits(dim, "sphere", sphere_errors<dim>) == 5);
+  CHECK(check_limits(dim, "sphere", sphere_errors<dim>) == 6);
 }
 
 // Two spheres a gap of R/2 apart: the sum of their forces is zero, and each is the exact one,
