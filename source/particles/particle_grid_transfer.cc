@@ -39,11 +39,11 @@ namespace magmpm
       add_arrays(particles.affine_velocity, first, next);
       add_arrays(particles.deformation, first, next);
       add_arrays(particles.magnetic_acceleration, first, next);
-      add_arrays(particles.magnetic_acceleration_gradient, first, next);
       next.add(particles.mass + first);
       next.add(particles.volume + first);
       if (particles.volumetric_stress != nullptr)
         next.add(particles.volumetric_stress + first);
+      add_arrays(particles.magnetic_acceleration_gradient, first, next); // last: not all find room
       next.finish();
       return next;
     }

@@ -15,11 +15,12 @@ namespace magmpm
   class Prefetch
   {
   public:
-    /** The next array, from @p address on. */
+    /** The next array, from @p address on. There is room for 32; the processor is left alone with more. */
     void
     add(const double *address)
     {
-      addresses[n_arrays++] = address;
+      if (n_arrays < max_arrays)
+        addresses[n_arrays++] = address;
     }
 
     /** To be called after the last add(). */
