@@ -15,6 +15,13 @@ namespace magmpm
     face_centred ///< every other, like the fields of one colour of a chessboard: n^dim/2
   };
 
+  /** Of what volume particles are at the start. */
+  enum class InitialState
+  {
+    undeformed,
+    hydrostatic ///< of a fluid: compressed by the weight of what stands above (HydrostaticColumns)
+  };
+
   /** One named body of a scene: where its particles are seeded and how they move at first. */
   template <int dim>
   struct BodyParameters
@@ -26,6 +33,8 @@ namespace magmpm
     int particles_per_edge  = 2;  ///< of a lattice cell: 2 means 2^dim per cell
     Arrangement arrangement = Arrangement::cubic;
     double jitter           = 0.; ///< fraction of the particle spacing, 0 (regular) to 1
+
+    InitialState initial_state = InitialState::undeformed;
 
     Vector<dim> velocity; ///< at the start [m/s]
     Vector<n_axial_components<dim>>
