@@ -68,6 +68,13 @@ namespace magmpm
                      "-",
                      "Random offset of the particles at the start, as a fraction of their spacing.",
                      fraction);
+    declarations.add(
+      "Initial state",
+      body.initial_state,
+      {{"undeformed", InitialState::undeformed}, {"hydrostatic", InitialState::hydrostatic}},
+      "Of a fluid: hydrostatic, it is compressed by the weight of the fluids and solids "
+      "that stand above it, in gravity of the start, and so fills its shape at rest; its "
+      "mass is a little more than density times volume. Undeformed, it sinks at first.");
     declarations.add("Velocity", body.velocity, "m/s", "Velocity at the start.");
     declarations.add("Angular velocity",
                      body.angular_velocity,
@@ -123,13 +130,39 @@ namespace magmpm
     return shapes;
   }
 
-#define INSTANTIATE(dim)                                                  \
-  template void declare_body(ParameterRegister &, BodyParameters<dim> &); \
-  template std::vector<std::unique_ptr<Shape<dim>>> check_bodies(         \
-    const ParameterRegister &,                                            \
-    const std::vector<std::string> &,                                     \
-    const NamedShapes<dim> &,                                             \
-    const Lattice<dim> &,                                                 \
+  template <int dim>
+  void
+  check_initial_states(const ParameterRegister &declarations, const Parameters<dim> &parameters)
+  {
+    for (const BodyParameters<dim> &body : parameters.bodies)
+      {
+        if (body.initial_state != InitialState::hydrostatic)
+          continue;
+        const std::string state = "Bodies/" + body.name + "/Initial state";
+        if (parameters.material_of(body).law != MechanicalLaw::viscoelastic_fluid)
+          throw declarations.error(state,
+                                   "the material '" + body.material +
+                                     "' is solid; hydrostatic are fluids alone. Set it to "
+                                     "undeformed.");
+        if (body.shape.type == ShapeType::points)
+          throw declarations.error(state,
+                                   "with Shape = points it is not known what stands above a "
+                                   "particle. Set it to undeformed, or choose another shape.");
+        if (norm(parameters.gravity(0.)) == 0.)
+          throw declarations.error(state,
+                                   "Gravity is 0 at the start: nothing has weight. Set it to "
+                                   "undeformed, or Gravity to another value.");
+      }
+  }
+
+#define INSTANTIATE(dim)                                                                  \
+  template void declare_body(ParameterRegister &, BodyParameters<dim> &);                 \
+  template void check_initial_states(const ParameterRegister &, const Parameters<dim> &); \
+  template std::vector<std::unique_ptr<Shape<dim>>> check_bodies(                         \
+    const ParameterRegister &,                                                            \
+    const std::vector<std::string> &,                                                     \
+    const NamedShapes<dim> &,                                                             \
+    const Lattice<dim> &,                                                                 \
     std::vector<BodyParameters<dim>> &);
 
   INSTANTIATE(2)

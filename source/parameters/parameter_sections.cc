@@ -229,6 +229,7 @@ namespace magmpm
     check_shapes(declarations, input.shapes);
     const auto body_shapes = check_bodies(
       declarations, input.material_names, input.shapes, parameters.lattice, parameters.bodies);
+    check_initial_states(declarations, parameters);
     check_magnets(declarations, input.magnet_names, input.magnets, body_shapes, parameters);
     check_rigid_bodies(
       declarations, input.rigid_body_motions, input.shapes, body_shapes, parameters);

@@ -2,13 +2,53 @@
 // a checkpoint.
 
 #include <magmpm/base/exceptions.h>
+#include <magmpm/base/number_text.h>
 #include <magmpm/parallel/reduce.h>
+#include <magmpm/particles/hydrostatic_columns.h>
 #include <magmpm/particles/seeding.h>
 #include <magmpm/simulation/scene.h>
 #include <magmpm/simulation/seeding_report.h>
 
+#include <algorithm>
+
 namespace magmpm
 {
+  namespace
+  {
+    /** Compresses the hydrostatic ones. @throw InputError  on all ranks, if one yields too much. Collective. */
+    template <int dim>
+    void
+    compress_by_weight(const Parameters<dim> &parameters,
+                       const std::vector<Obstacle<dim>> &rigid_bodies,
+                       const MPI_Comm communicator,
+                       std::vector<Body<dim>> &bodies)
+    {
+      constexpr double modulus_per_weight = 3.; // at which J is at least 0.58
+      const auto is_hydrostatic           = [](const BodyParameters<dim> &body) {
+        return body.initial_state == InitialState::hydrostatic;
+      };
+      if (std::none_of(parameters.bodies.begin(), parameters.bodies.end(), is_hydrostatic))
+        return;
+      const HydrostaticColumns<dim> columns(
+        parameters.bodies, bodies, parameters.gravity(0.), parameters.lattice, rigid_bodies);
+      for (std::size_t b = 0; b < bodies.size(); ++b)
+        if (is_hydrostatic(parameters.bodies[b]))
+          {
+            const Compression compression = columns.compress(b, bodies[b].particles);
+            const double ratio            = parallel::min(compression.smallest_ratio, communicator);
+            const double weight           = parallel::max(compression.largest_weight, communicator);
+            if (ratio < Compression::least_ratio)
+              throw InputError(
+                "body '" + bodies[b].name +
+                "' with Initial state = hydrostatic is compressed to J = " + to_text(ratio) +
+                " by the weight of what stands above, " + to_text(weight) + " Pa; J may be " +
+                to_text(Compression::least_ratio) +
+                " to 1. Set 'Bulk modulus' of its material to at least " +
+                to_text(modulus_per_weight * weight) + " Pa.");
+          }
+    }
+  } // namespace
+
   template <int dim>
   void
   Scene<dim>::seed_bodies()
@@ -34,6 +74,7 @@ namespace magmpm
                            "' holds no particle: it is smaller than the distance between "
                            "particles. Make it larger, or 'Box/Cell size' smaller.");
       }
+    compress_by_weight(parameters, obstacles, communicator, all_bodies);
     state.notices.push_back({false, seeding_report(parameters.bodies, all_bodies, communicator)});
   }
 

@@ -4,6 +4,7 @@
 #include <magmpm/simulation/seeding_report.h>
 
 #include <algorithm>
+#include <variant>
 
 namespace magmpm
 {
@@ -28,6 +29,20 @@ namespace magmpm
       return about_centroid(add_up(about), about);
     }
 
+    /** What all ranks' particles of a body fill: the sum of J V_0. */
+    template <int dim>
+    double
+    filled_volume(const Body<dim> &body, const MPI_Comm communicator)
+    {
+      const ParticleSet<dim> &particles = body.particles;
+      const bool stores_ratio = std::holds_alternative<ViscoelasticFluid<dim>>(body.material);
+      double volume           = 0.;
+      for (std::size_t p = 0; p < particles.size(); ++p)
+        volume += particles.component(ParticleProperty::volume, 0)[p] *
+                  (stores_ratio ? particles.component(ParticleProperty::deformation, 0)[p] : 1.);
+      return parallel::sum(volume, communicator);
+    }
+
     /** About the axes; in 2D about the one across the plane. */
     template <int dim>
     Vector<n_axial_components<dim>>
@@ -46,12 +61,16 @@ namespace magmpm
 
     using Row = std::vector<std::string>;
 
+    /** @param filled  volume that is filled. @param moments  of the undeformed one. */
     template <int dim>
     Row
-    row_of(const std::string &name, const VolumeMoments<dim> &moments, const double density)
+    row_of(const std::string &name,
+           const double filled,
+           const VolumeMoments<dim> &moments,
+           const double density)
     {
       return {name,
-              to_text(moments.volume),
+              to_text(filled),
               to_text(density * moments.volume),
               components(moments.centroid),
               components(moments_of_inertia(moments, density))};
@@ -92,11 +111,17 @@ namespace magmpm
       {
         const BodyParameters<dim> &body = parameters[b];
         rows.push_back(row_of(body.name + ", seeded",
+                              filled_volume(bodies[b], communicator),
                               moments_of_particles(bodies[b].particles, communicator),
                               body.density));
-        if (body.shape.type != ShapeType::points)
-          rows.push_back(row_of(
-            body.name + ", its shape", make_shape(body.shape)->volume_moments(), body.density));
+        if (body.shape.type == ShapeType::points)
+          continue;
+        const VolumeMoments<dim> moments = make_shape(body.shape)->volume_moments();
+        const bool is_compressed         = body.initial_state == InitialState::hydrostatic;
+        rows.push_back(row_of(body.name + ", its shape" + (is_compressed ? ", undeformed" : ""),
+                              moments.volume,
+                              moments,
+                              body.density));
       }
     return aligned(rows);
   }

@@ -684,3 +684,23 @@ TEST_CASE("a free magnet that cannot be one", "[parameters]")
                          "Magnets/magnet/Contact=none"}),
              Catch::Contains("a uniform field is nowhere; set it to false."));
 }
+
+// What cannot be hydrostatic: a solid, what has no shape, and what has no weight.
+TEST_CASE("Messages on hydrostatic bodies", "[parameters]")
+{
+  const std::string hydrostatic = "Bodies/cube/Initial state=hydrostatic";
+  CHECK(
+    message_with(hydrostatic) ==
+    "Bodies/cube/Initial state = hydrostatic: the material 'clay' is solid; hydrostatic are fluids "
+    "alone. Set it to undeformed.");
+  std::vector<std::string> fluid = {"Materials/clay/Mechanical law=viscoelastic fluid",
+                                    "Materials/clay/Young's modulus=",
+                                    "Materials/clay/Poisson ratio=",
+                                    "Materials/clay/Viscosity=1",
+                                    "Materials/clay/Bulk modulus=1e6"};
+  CHECK(message_with(hydrostatic, fluid) == "");
+  fluid.push_back("Gravity=0, 0, -9.81*sin(t)");
+  CHECK(message_with(hydrostatic, fluid) == "Bodies/cube/Initial state = hydrostatic: Gravity is 0 "
+                                            "at the start: nothing has weight. Set it "
+                                            "to undeformed, or Gravity to another value.");
+}

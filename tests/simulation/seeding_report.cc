@@ -31,3 +31,32 @@ TEST_CASE("bodies are reported beside their shapes", "[simulation][mpi]")
         "  bar, seeded     0.12          240          0.63, 0.57    6.152\n"
         "  bar, its shape  0.12          240          0.63, 0.57    6.152");
 }
+
+TEST_CASE("the report tells what compressed fluid fills and weighs", "[simulation][mpi]")
+{
+  // A box full of fluid that is compressed to J = 0.8 fills what the shape has, 0.1 m^2, and has 1/0.8 of the mass of its
+  // undeformed particles, 200 kg/m, and of their inertia: 200 (0.2^2 + 0.5^2 - 2 0.05^2)/12 kg m, as 50 mm apart they lie.
+  BodyParameters<2> parameters;
+  parameters.name               = "pool";
+  parameters.density            = 2000.;
+  parameters.initial_state      = InitialState::hydrostatic;
+  parameters.shape.lower_corner = {{0.5, 0.3}};
+  parameters.shape.upper_corner = {{0.7, 0.8}};
+  std::vector<Body<2>> bodies   = {empty_body<2>(MechanicalLaw::viscoelastic_fluid, false)};
+  ParticleSet<2> &particles     = bodies[0].particles;
+  seed_particles(parameters,
+                 test_lattice<2>(),
+                 0,
+                 parallel::rank(MPI_COMM_WORLD),
+                 parallel::n_ranks(MPI_COMM_WORLD),
+                 bodies[0]);
+  for (std::size_t p = 0; p < particles.size(); ++p)
+    {
+      particles.component(ParticleProperty::deformation, 0)[p] = 0.8;
+      particles.component(ParticleProperty::volume, 0)[p] /= 0.8;
+    }
+  CHECK(seeding_report<2>({parameters}, bodies, MPI_COMM_WORLD) ==
+        "body                         volume [m^2]  mass [kg/m]  centroid [m]  inertia [kg m]\n"
+        "  pool, seeded                 0.1           250          0.6, 0.55     5.9375\n"
+        "  pool, its shape, undeformed  0.1           200          0.6, 0.55     4.83333");
+}

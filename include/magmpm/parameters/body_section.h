@@ -3,6 +3,7 @@
 #include <magmpm/geometry/shape.h>
 #include <magmpm/lattice/lattice.h>
 #include <magmpm/parameters/parameter_register.h>
+#include <magmpm/parameters/parameters.h>
 #include <magmpm/parameters/shapes_section.h>
 #include <magmpm/particles/body_parameters.h>
 
@@ -30,4 +31,9 @@ namespace magmpm
                const NamedShapes<dim> &named_shapes,
                const Lattice<dim> &lattice,
                std::vector<BodyParameters<dim>> &bodies);
+
+  /** Checks that hydrostatic bodies are fluids with a shape, in gravity. */
+  template <int dim>
+  void
+  check_initial_states(const ParameterRegister &declarations, const Parameters<dim> &parameters);
 } // namespace magmpm

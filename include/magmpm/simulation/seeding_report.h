@@ -12,7 +12,8 @@ namespace magmpm
   /**
    * A table of volume, mass, centroid and moments of inertia about it (about the axes; in 2D, where all is per
    * metre of depth, the one across the plane) of bodies as they were seeded, below each that of its shape; a
-   * list of points has none. Collective; the same on all ranks.
+   * list of points has none. Of a hydrostatic body it is the shape full of undeformed fluid, which weighs less.
+   * Collective; the same on all ranks.
    */
   template <int dim>
   std::string
