@@ -16,6 +16,7 @@
 #include <verification/mechanics/floating_body.h>
 #include <verification/mechanics/fluid_motion.h>
 #include <verification/mechanics/hydrostatic_column.h>
+#include <verification/mechanics/hydrostatic_start.h>
 #include <verification/mechanics/standing_wave.h>
 
 #include <algorithm>
@@ -59,6 +60,21 @@ namespace
       {"elastic bar", []() -> std::vector<LimitRow> {
          return {{"elastic bar, L/16, frequency", std::abs(frequency_error(16)), 0.002}};
        }});
+  }
+
+  void
+  add_starts(std::vector<LimitCase> &cases)
+  {
+    const auto add = [&](const std::string &name, const HydrostaticPool &pool) {
+      cases.push_back({name, [=]() -> std::vector<LimitRow> {
+                         return {{name + ", rms |v|/c", hydrostatic_unrest(pool), 1e-4}};
+                       }});
+    };
+    for (const int cells : {8, 16, 32})
+      add("hydrostatic start, H/" + std::to_string(cells), {2, cells});
+    add("hydrostatic start 3D, H/16", {3});
+    add("hydrostatic start, walls that separate", {2, 16, 0.05, "separate"});
+    add("hydrostatic start, oil on water", {2, 16, 0.05, "slip", true});
   }
 
   void
@@ -163,6 +179,7 @@ namespace
 
     std::vector<LimitCase> cases;
     add_columns(cases);
+    add_starts(cases);
     add_walls(cases);
     add_motion(cases);
     add_waves(cases);
