@@ -56,7 +56,7 @@ namespace magmpm::benchmarks
         : lattice(block.lattice)
         , bodies(block.bodies)
         , time_step(block.time_step)
-        , boundary(lattice, walls(), no_rigid_bodies)
+        , boundary(lattice, walls())
         , no_contact(lattice, walls(), no_rigid_bodies)
         , particle_mass(bodies[0].particles.component(ParticleProperty::mass, 0)[0])
       {

@@ -9,7 +9,7 @@ namespace magmpm
 {
   namespace
   {
-    constexpr int max_sweeps = 150, sweeps_a_round = 3;
+    constexpr int most_sweeps = 150, sweeps_a_round = 3;
 
     /** It ends when velocities change by less than this part of the largest relative one. */
     constexpr double tolerance = 1e-7;
@@ -284,7 +284,7 @@ namespace magmpm
     for (const Impulse &impulse : now.impulses)
       largest = std::max(largest, norm(impulse.start));
     int n_sweeps = 0;
-    while (n_sweeps < max_sweeps && sweep() > tolerance * largest)
+    while (n_sweeps < most_sweeps && sweep() > tolerance * largest)
       if (++n_sweeps % sweeps_a_round == 0)
         for (std::size_t b = 0; b < bodies.size(); ++b)
           if (bodies[b].is_free())

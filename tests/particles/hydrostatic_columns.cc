@@ -159,8 +159,8 @@ TEST_CASE("a pool bears rigid bodies by what they displace", "[particles]")
 
 TEST_CASE("pressure at the floor balances that of its image", "[particles]")
 {
-  // A particle at the distance t from the floor and its image push the first node above it by p N(d) d each. Pressure that
-  // goes on linearly would be larger in the image by 2 t; what is added to both is to make up for it.
+  // A particle at the distance t from the floor and its image push the first node above it by p N(d) d each.
+  // Pressure that goes on linearly would be larger in the image by 2 t; what is added to both makes up for it.
   const auto spline = [](const double x) {
     return x < 0.5 ? 0.75 - x * x : 0.5 * std::pow(std::max(1.5 - x, 0.), 2);
   };
@@ -174,9 +174,9 @@ TEST_CASE("pressure at the floor balances that of its image", "[particles]")
 
 TEST_CASE("compressed fluid fills its shape", "[particles]")
 {
-  // Particles keep their places and the volume J V_0, and weigh rho_0 V_0: more than before, by 1/J. Pressure is that of the
-  // depth and, next to the floor, the excess for its images. What bears too
-  // much tells the weight that it bears.
+  // Particles keep their places and the volume J V_0, and weigh rho_0 V_0: more than before, by 1/J. Pressure is that
+  // of the depth and, next to the floor, the excess for its images. What bears too much tells the weight that it
+  // bears.
   Bodies<2> bodies;
   add_layer<2>(0., 0.83, 1000., 6e4, bodies);
   bodies.first[0].jitter = 0.5;
@@ -207,4 +207,25 @@ TEST_CASE("compressed fluid fills its shape", "[particles]")
     columns_of(bodies, downward<2>(100.)).compress(0, bodies.second[0].particles);
   CHECK(too_much.smallest_ratio < 0.5);
   CHECK(too_much.largest_weight == Approx(8.3e4).epsilon(0.05));
+}
+
+TEST_CASE("gravity may point along any axis", "[particles]")
+{
+  // A pool at the ceiling in gravity upward is the mirror image of one on the floor; fluid that fills the box is as deep
+  // towards either side. The lowest particles lie dx/4 from the wall.
+  const auto smallest_ratio = [](const double lower, const double upper, const Vector<2> &gravity) {
+    Bodies<2> bodies;
+    add_layer<2>(lower, upper, 1000., 6e4, bodies);
+    seed_particles(bodies.first[0], test_lattice<2>(), 0, 0, 1, bodies.second[0]);
+    return columns_of(bodies, gravity).compress(0, bodies.second[0].particles).smallest_ratio;
+  };
+  const auto expected = [](const double depth) {
+    return 1. -
+           (pressure_below(0., 1e4 * (depth - 0.025), 6e4) + 1e4 * 0.1 * floor_excess(0.25)) / 6e4;
+  };
+  CHECK(smallest_ratio(0., 0.8, downward<2>(10.)) == Approx(expected(0.8)).epsilon(1e-10));
+  CHECK(smallest_ratio(0.8, 1.6, downward<2>(-10.)) == Approx(expected(0.8)).epsilon(1e-10));
+  for (const double sideways : {10., -10.})
+    CHECK(smallest_ratio(0., 0.8, downward<2>(0., sideways)) ==
+          Approx(expected(1.6)).epsilon(1e-10));
 }

@@ -9,6 +9,7 @@
 #include <verification/program/statistics.h>
 #include <verification/text_file.h>
 
+#include <fstream>
 #include <string>
 
 using namespace magmpm::testing;
@@ -62,7 +63,8 @@ TEST_CASE("A hydrostatic start is the same on any number of ranks", "[program]")
       REQUIRE(run_magmpm(write_scene(name, layered_column("4e4").text()), n_ranks).exit_code == 0);
       check_equal_runs(one, Statistics("output-" + name), 1e-9, depends_on_ranks);
     }
-  // The log tells what was seeded: water that bears 719.3 Pa above and 1526.7 Pa below weighs 0.1 (1526.7 - 719.3)/9.81 kg/m.
+  // The log tells what was seeded: water that bears 719.3 Pa above and 1526.7 Pa below weighs, per metre,
+  // 0.1 (1526.7 - 719.3)/9.81 kg.
   CHECK(
     contents("output-layered-4/log.txt").find("deep, seeded                 0.008         8.231") !=
     std::string::npos);
@@ -70,8 +72,8 @@ TEST_CASE("A hydrostatic start is the same on any number of ranks", "[program]")
 
 TEST_CASE("A fluid that its weight would crush is refused", "[program]")
 {
-  // The water bears 719 Pa of oil and up to 785 Pa of its own, of which its lowest particles, dx/4 above the floor, bear
-  // all but 25 Pa: 1480 Pa in all. What the message asks for will do.
+  // The water bears 719 Pa of oil and up to 785 Pa of its own, of which its lowest particles, dx/4 above the
+  // floor, bear all but 25 Pa: 1480 Pa in all. What the message asks for will do.
   const Outcome run = run_magmpm(write_scene("crushed", layered_column("1500").text()), 2);
   CHECK(run.exit_code == 2);
   CHECK(
@@ -80,4 +82,23 @@ TEST_CASE("A fluid that its weight would crush is refused", "[program]")
       "stands above, 1479.53 Pa; J may be 0.5 to 1. Set 'Bulk modulus' of its material to at least "
       "4438.58 Pa.") != std::string::npos);
   CHECK(run_magmpm(write_scene("pressed", layered_column("4438.58").text())).exit_code == 0);
+}
+
+TEST_CASE("Points cannot start hydrostatic", "[program]")
+{
+  // Of a list of points it is not known where the fluid ends.
+  std::ofstream("drops.csv") << "0.1, 0.1\n0.12, 0.1\n";
+  ParameterText scene;
+  scene.gravity = "0, -9.81";
+  scene.add_fluid("water", "1e5", "0.01")
+    .add_body("drops",
+              "water",
+              "1000",
+              "set Shape = points\nset File = drops.csv\nset Initial state = hydrostatic\n");
+  const Outcome run = run_magmpm(write_scene("drops", scene.text()));
+  CHECK(run.exit_code == 2);
+  CHECK(run.errors.find(
+          "Bodies/drops/Initial state = hydrostatic: with Shape = points it is not known "
+          "what stands above a particle. Set it to undeformed, or choose another shape.") !=
+        std::string::npos);
 }

@@ -34,8 +34,9 @@ TEST_CASE("bodies are reported beside their shapes", "[simulation][mpi]")
 
 TEST_CASE("the report tells what compressed fluid fills and weighs", "[simulation][mpi]")
 {
-  // A box full of fluid that is compressed to J = 0.8 fills what the shape has, 0.1 m^2, and has 1/0.8 of the mass of its
-  // undeformed particles, 200 kg/m, and of their inertia: 200 (0.2^2 + 0.5^2 - 2 0.05^2)/12 kg m, as 50 mm apart they lie.
+  // A box full of fluid that is compressed to J = 0.8 fills what the shape has, 0.1 m^2, and has 1/0.8 of the mass
+  // of its undeformed particles, 200 kg/m, and of their inertia, 200 (0.2^2 + 0.5^2 - 2 0.05^2)/12 kg m: they lie
+  // 50 mm apart.
   BodyParameters<2> parameters;
   parameters.name               = "pool";
   parameters.density            = 2000.;

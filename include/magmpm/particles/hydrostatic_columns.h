@@ -21,11 +21,12 @@ namespace magmpm
   pressure_below(const double upper_pressure, const double weight, const double bulk_modulus);
 
   /**
-   * What has to be added to the pressure of a particle near the floor for the lattice to be in equilibrium. There
-   * images stand for what is missing behind the floor (WallImages), but the image of a particle has its pressure, and
-   * not the one that would go on linearly, which is larger by 2 t rho g dx. On the first node above the floor, where the image has
-   * the weight N(1 + t) and the distance 1 + t, that is missing from the force; what is added acts there with
-   * N(1 - t) (1 - t) + N(1 + t) (1 + t) = 1/4, and on no other node that moves.
+   * What has to be added to the pressure of a particle near the floor for the lattice to be in equilibrium.
+   * Images stand for what is missing behind the floor (see WallImages), but the image of a particle has the
+   * particle's pressure, and not the one that would go on linearly, which is larger by 2 t rho g dx. On the first
+   * node above the floor, where the image has the weight N(1 + t) and the distance 1 + t, that is missing from
+   * the force; what is added acts there with N(1 - t) (1 - t) + N(1 + t) (1 + t) = 1/4, and on no other node
+   * that moves.
    *
    * @param distance  t, from the floor, over dx.
    * @return 4 t (1 + t) (1/2 - t)^2, to be multiplied by rho g dx; 0 from 1/2 on.
