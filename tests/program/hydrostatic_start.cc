@@ -41,7 +41,7 @@ namespace
 TEST_CASE("A pool that starts hydrostatic is at rest", "[program]")
 {
   // Nothing is to move: the pressure is that of the weight from the first step on. What is left, less than 1e-4 of the
-  // speed of sound, is what the lattice sees differently at the floor; undeformed water sinks, at 1.5e-2.
+  // speed of sound, is what the lattice sees differently at the surface; undeformed water sinks, at 3e-2.
   for (const std::string wall : {"slip", "separate"})
     CHECK(hydrostatic_unrest({2, 16, 0.05, wall}) < 1e-4);
   CHECK(hydrostatic_unrest({3, 16, 0.05}) < 1e-4);
