@@ -5,41 +5,17 @@
 #include <magmpm/lattice/node_window.h>
 
 #include "catch.h"
+#include "cube_of_blocks.h"
 
 #include <cmath>
 #include <random>
 
 using namespace magmpm;
+using namespace magmpm::testing;
 
 namespace
 {
   constexpr int edge = 16; ///< of the box in cells
-
-  template <int dim>
-  Lattice<dim>
-  cube_lattice()
-  {
-    Lattice<dim> lattice;
-    lattice.spacing = 0.1;
-    lattice.n_cells.fill(edge);
-    return lattice;
-  }
-
-  template <int dim>
-  BlockSet<dim>
-  blocks_of_cube()
-  {
-    std::vector<Index<dim>> blocks;
-    constexpr int n = edge / block_edge;
-    for (int i = 0; i < power(n, dim); ++i)
-      {
-        Index<dim> block;
-        for (int d = 0, rest = i; d < dim; ++d, rest /= n)
-          block[d] = rest % n;
-        blocks.push_back(block);
-      }
-    return BlockSet<dim>(std::move(blocks), power(n, dim));
-  }
 
   /** A body that is the half space x < @p surface of a frame turned by @p angle about the middle, moving. */
   template <int dim>
@@ -78,11 +54,11 @@ namespace
     NodeField<dim> field(blocks.size());
     for_nodes(blocks, [&](const int slot, const int n) {
       field.set(NodeMotion::mass, slot, n, number(generator));
-      field.set(
-        NodeMotion::velocity,
-        slot,
-        n,
-        velocity(cube_lattice<dim>().node_position(node_of_block<dim>(blocks.block(slot), n))));
+      field.set(NodeMotion::velocity,
+                slot,
+                n,
+                velocity(cube_lattice<dim>(edge, 0.1).node_position(
+                  node_of_block<dim>(blocks.block(slot), n))));
     });
     return field;
   }
@@ -93,14 +69,14 @@ namespace
   after_contact(const BlockSet<dim> &blocks, const RigidBody<dim> &body, NodeField<dim> field)
   {
     std::vector<RigidBody<dim>> bodies = {body};
-    WallParameters<dim> walls;
-    walls.condition.fill(WallCondition::open);
-    const SolidContact<dim> no_solids(cube_lattice<dim>(), walls, bodies);
+    const WallParameters<dim> walls    = all_walls<dim>(WallCondition::open);
+    const SolidContact<dim> no_solids(cube_lattice<dim>(edge, 0.1), walls, bodies);
     FluidContact<dim> contact(find_fluid_constraints(
-      bodies, no_solids, walls, blocks, cube_lattice<dim>(), 1e-12, field, MPI_COMM_SELF));
+      bodies, no_solids, walls, blocks, cube_lattice<dim>(edge, 0.1), 1e-12, field, MPI_COMM_SELF));
     contact.solve(bodies);
     NodeField<dim> not_wanted;
-    contact.apply(blocks, LatticeBoundary<dim>(cube_lattice<dim>(), walls), field, not_wanted);
+    contact.apply(
+      blocks, LatticeBoundary<dim>(cube_lattice<dim>(edge, 0.1), walls), field, not_wanted);
     return field;
   }
 
@@ -119,7 +95,7 @@ namespace
 // with the other's sign is the smallest change: m_g (v_g' - v_g) = m_j (v_j' - v_j). What is tangential stays.
 TEMPLATE_TEST_CASE_SIG("A plane through nodes is a mirror", "[boundary]", ((int dim), dim), 2, 3)
 {
-  const BlockSet<dim> blocks = blocks_of_cube<dim>();
+  const BlockSet<dim> blocks = blocks_of_cube<dim>(edge);
   std::mt19937 generator(3);
   std::uniform_real_distribution<double> number(-1., 1.);
   const NodeField<dim> before = field_of<dim>(blocks, [&](const Vector<dim> &) {
@@ -163,7 +139,7 @@ TEMPLATE_TEST_CASE_SIG("What moves with a surface is left alone",
                        2,
                        3)
 {
-  const BlockSet<dim> blocks = blocks_of_cube<dim>();
+  const BlockSet<dim> blocks = blocks_of_cube<dim>(edge);
   RigidMotion<dim> motion;
   motion.velocity            = 0.7 * axis<dim>(0) + (-0.4) * axis<dim>(1);
   motion.angular_velocity[0] = 0.6;
@@ -188,7 +164,7 @@ TEMPLATE_TEST_CASE_SIG("What moves with a surface is left alone",
           if (i < 4 || i > edge - 4)
             return; // images may be missing there
         const double distance =
-          body.surface_distance(cube_lattice<dim>().node_position(node)).distance;
+          body.surface_distance(cube_lattice<dim>(edge, 0.1).node_position(node)).distance;
         if (distance > -0.15)
           change = std::max(change,
                             norm(after.get(NodeMotion::velocity, slot, n) -
@@ -203,7 +179,7 @@ TEMPLATE_TEST_CASE_SIG("What moves with a surface is left alone",
 // coefficient times what was taken of the normal one.
 TEST_CASE("Surfaces act on fluids by their condition", "[boundary]")
 {
-  const BlockSet<2> blocks = blocks_of_cube<2>();
+  const BlockSet<2> blocks = blocks_of_cube<2>(edge);
   const auto moved =
     [&](const ContactCondition condition, const double friction, const double normal) {
       return field_of<2>(blocks, [&](const Vector<2> &) { return Vector<2>{{normal, 1.}}; });
@@ -237,24 +213,24 @@ TEST_CASE("Surfaces act on fluids by their condition", "[boundary]")
 // Nodes without fluid, and those that are solid for the larger part, are no matter of this contact.
 TEST_CASE("Fluid contact leaves solids to their own", "[boundary]")
 {
-  const BlockSet<2> blocks               = blocks_of_cube<2>();
+  const BlockSet<2> blocks               = blocks_of_cube<2>(edge);
   const std::vector<RigidBody<2>> bodies = {half_space<2>(0.03, 0., {ContactCondition::slip, 0.})};
-  WallParameters<2> walls;
-  walls.condition.fill(WallCondition::open);
+  const WallParameters<2> walls          = all_walls<2>(WallCondition::open);
   const NodeField<2> field = field_of<2>(blocks, [](const Vector<2> &) { return Vector<2>(); });
   for (const double share : {0.4, 0.6})
     {
-      SolidContact<2> solids(cube_lattice<2>(), walls, bodies);
+      SolidContact<2> solids(cube_lattice<2>(edge, 0.1), walls, bodies);
       solids.reinit(blocks.size());
       for_nodes(blocks, [&](const int slot, const int n) {
         solids.sums().set(ContactSums::mass, slot, n, share * field.get(NodeMotion::mass, slot, n));
       });
-      CHECK(find_fluid_constraints(
-              bodies, solids, walls, blocks, cube_lattice<2>(), 1e-12, field, MPI_COMM_SELF)
-              .empty() == (share > 0.5));
+      CHECK(
+        find_fluid_constraints(
+          bodies, solids, walls, blocks, cube_lattice<2>(edge, 0.1), 1e-12, field, MPI_COMM_SELF)
+          .empty() == (share > 0.5));
     }
-  const SolidContact<2> no_solids(cube_lattice<2>(), walls, bodies);
+  const SolidContact<2> no_solids(cube_lattice<2>(edge, 0.1), walls, bodies);
   CHECK(find_fluid_constraints(
-          bodies, no_solids, walls, blocks, cube_lattice<2>(), 1e3, field, MPI_COMM_SELF)
+          bodies, no_solids, walls, blocks, cube_lattice<2>(edge, 0.1), 1e3, field, MPI_COMM_SELF)
           .empty());
 }

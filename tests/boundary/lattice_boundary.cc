@@ -1,8 +1,10 @@
 #include <magmpm/boundary/lattice_boundary.h>
 
 #include "catch.h"
+#include "cube_of_blocks.h"
 
 using namespace magmpm;
+using namespace magmpm::testing;
 
 namespace
 {
@@ -20,15 +22,6 @@ namespace
         lattice.n_cells[d]      = edge;
       }
     return lattice;
-  }
-
-  template <int dim>
-  WallParameters<dim>
-  all_walls(const WallCondition condition)
-  {
-    WallParameters<dim> walls;
-    walls.condition.fill(condition);
-    return walls;
   }
 
   template <int dim>

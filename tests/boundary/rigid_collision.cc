@@ -4,50 +4,29 @@
 #include <magmpm/lattice/node_window.h>
 
 #include "catch.h"
+#include "cube_of_blocks.h"
 
 #include <algorithm>
 #include <random>
 
 using namespace magmpm;
+using namespace magmpm::testing;
 
 namespace
 {
-  constexpr int edge = 16; ///< of the box in cells
-
+  /** The box has 16 cells along its edges. */
   template <int dim>
   Lattice<dim>
   test_lattice()
   {
-    Lattice<dim> lattice;
-    lattice.spacing = 0.1;
-    lattice.n_cells.fill(edge);
-    return lattice;
+    return cube_lattice<dim>(16, 0.1);
   }
 
   template <int dim>
   BlockSet<dim>
   all_blocks()
   {
-    std::vector<Index<dim>> blocks;
-    for (int i = 0; i < power(edge / block_edge, dim); ++i)
-      {
-        Index<dim> block;
-        for (int d = 0, rest = i; d < dim; ++d, rest /= edge / block_edge)
-          block[d] = rest % (edge / block_edge);
-        blocks.push_back(block);
-      }
-    const int n_owned = static_cast<int>(blocks.size());
-    return BlockSet<dim>(blocks, n_owned);
-  }
-
-  template <int dim>
-  WallParameters<dim>
-  all_walls(const WallCondition condition, const double friction = 0.)
-  {
-    WallParameters<dim> walls;
-    walls.condition.fill(condition);
-    walls.friction.fill(friction);
-    return walls;
+    return blocks_of_cube<dim>(16);
   }
 
   template <int dim>

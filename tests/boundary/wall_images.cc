@@ -5,10 +5,12 @@
 #include <magmpm/lattice/node_window.h>
 
 #include "catch.h"
+#include "cube_of_blocks.h"
 
 #include <cmath>
 
 using namespace magmpm;
+using namespace magmpm::testing;
 
 namespace
 {
@@ -18,10 +20,7 @@ namespace
   Lattice<dim>
   box_lattice()
   {
-    Lattice<dim> lattice;
-    lattice.spacing = 0.25;
-    lattice.n_cells.fill(edge);
-    return lattice;
+    return cube_lattice<dim>(edge, 0.25);
   }
 
   /** The blocks of the box and those around it. */
@@ -29,26 +28,7 @@ namespace
   BlockSet<dim>
   blocks_of_box()
   {
-    std::vector<Index<dim>> blocks;
-    const int n = edge / block_edge + 2;
-    for (int i = 0; i < power(n, dim); ++i)
-      {
-        Index<dim> block;
-        int rest = i;
-        for (int d = 0; d < dim; ++d, rest /= n)
-          block[d] = rest % n - 1;
-        blocks.push_back(block);
-      }
-    return BlockSet<dim>(std::move(blocks), power(n, dim));
-  }
-
-  template <int dim>
-  WallParameters<dim>
-  all_walls(const WallCondition condition)
-  {
-    WallParameters<dim> walls;
-    walls.condition.fill(condition);
-    return walls;
+    return blocks_of_cube<dim>(edge, 1);
   }
 
   /** f(node) for mass and momentum of all nodes that particles of the box reach. */
