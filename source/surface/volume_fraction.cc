@@ -37,7 +37,6 @@ namespace magmpm
                  NodeField<dim, SingleScalar> &field)
   {
     const double per_cell = 1. / std::pow(lattice.spacing, dim);
-    const bool deforms    = selection.volume == ParticleVolume::deformed;
     Arena<dim> arena;
     field.set_zero();
     for (std::size_t b = 0; b < bodies.size(); ++b)
@@ -52,7 +51,7 @@ namespace magmpm
             add_volume<dim>(lattice,
                             blocks.block(slot),
                             body.particles.position(p),
-                            per_cell * volume[p] * (deforms ? particle_volume_ratio(body, p) : 1.),
+                            per_cell * volume[p] * particle_volume_ratio(body, p),
                             arena);
           arena.add_to(field, blocks, slot);
         }

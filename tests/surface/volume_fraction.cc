@@ -81,7 +81,7 @@ namespace
 } // namespace
 
 // The B-splines of a particle sum to one, so the nodes hold the volume of the particles: of the selected
-// bodies, undeformed or deformed, each counted once whatever the number of ranks. A node has its value on
+// bodies, as deformed, each counted once whatever the number of ranks. A node has its value on
 // every rank that sees it, so that another exchange of ghosts changes nothing.
 TEMPLATE_TEST_CASE_SIG("The lattice is as full as the selected particles are large",
                        "[surface][mpi]",
@@ -90,39 +90,35 @@ TEMPLATE_TEST_CASE_SIG("The lattice is as full as the selected particles are lar
                        3)
 {
   const Particles<dim> particles;
-  for (const ParticleVolume kind : {ParticleVolume::undeformed, ParticleVolume::deformed})
-    for (const int selected : {0, 1, 2})
-      {
-        const auto selection = select_bodies(
-          particles.bodies,
-          [selected](const Body<dim> &body) {
-            return selected == 2 || (body.name == "fluid") == (selected == 1);
-          },
-          kind);
-        double volume = 0.;
-        for (std::size_t b = 0; b < 2; ++b)
-          for (std::size_t p = 0; p < particles.bodies[b].particles.size(); ++p)
-            if (selection.bodies[b])
-              {
-                const Body<dim> &body = particles.bodies[b];
-                volume += body.particles.component(ParticleProperty::volume, 0)[p] *
-                          (kind == ParticleVolume::deformed ? particle_volume_ratio(body, p) : 1.);
-              }
-        const NodeField<dim, SingleScalar> fraction =
-          volume_fraction(particles.bodies, selection, particles.partition, particles.lattice);
-        CHECK(particles.volume_on_nodes(fraction) ==
-              Approx(parallel::sum(volume, MPI_COMM_WORLD)).epsilon(1e-12));
+  for (const int selected : {0, 1, 2})
+    {
+      const auto selection = select_bodies(particles.bodies, [selected](const Body<dim> &body) {
+        return selected == 2 || (body.name == "fluid") == (selected == 1);
+      });
+      double volume        = 0.;
+      for (std::size_t b = 0; b < 2; ++b)
+        for (std::size_t p = 0; p < particles.bodies[b].particles.size(); ++p)
+          if (selection.bodies[b])
+            {
+              const Body<dim> &body = particles.bodies[b];
+              volume += body.particles.component(ParticleProperty::volume, 0)[p] *
+                        particle_volume_ratio(body, p);
+            }
+      const NodeField<dim, SingleScalar> fraction =
+        volume_fraction(particles.bodies, selection, particles.partition, particles.lattice);
+      CHECK(particles.volume_on_nodes(fraction) ==
+            Approx(parallel::sum(volume, MPI_COMM_WORLD)).epsilon(1e-12));
 
-        NodeField<dim, SingleScalar> again(fraction);
-        particles.partition.update_ghosts(again);
-        double change = 0.;
-        for_nodes_and_ghosts(particles.partition.blocks(), [&](const int slot, const int node) {
-          change = std::max(change,
-                            std::abs(again.get(SingleScalar::value, slot, node) -
-                                     fraction.get(SingleScalar::value, slot, node)));
-        });
-        CHECK(parallel::max(change, MPI_COMM_WORLD) == 0.);
-      }
+      NodeField<dim, SingleScalar> again(fraction);
+      particles.partition.update_ghosts(again);
+      double change = 0.;
+      for_nodes_and_ghosts(particles.partition.blocks(), [&](const int slot, const int node) {
+        change = std::max(change,
+                          std::abs(again.get(SingleScalar::value, slot, node) -
+                                   fraction.get(SingleScalar::value, slot, node)));
+      });
+      CHECK(parallel::max(change, MPI_COMM_WORLD) == 0.);
+    }
 }
 
 // Who asks for a field that somebody asked for before gets the same one, without another P2G: a change of

@@ -8,34 +8,24 @@
 
 namespace magmpm
 {
-  /** By which volume a particle counts. */
-  enum class ParticleVolume
-  {
-    undeformed, ///< V_0
-    deformed    ///< J V_0
-  };
-
   /** Whose volume is asked for: of particles of these bodies, all together. */
   struct MaterialSelection
   {
     std::vector<bool> bodies; ///< whether a body counts, by its number
-    ParticleVolume volume = ParticleVolume::deformed;
 
     bool
     operator==(const MaterialSelection &other) const
     {
-      return bodies == other.bodies && volume == other.volume;
+      return bodies == other.bodies;
     }
   };
 
   /** One body alone. */
   template <int dim>
   MaterialSelection
-  select_body(const std::vector<Body<dim>> &bodies,
-              const std::size_t body,
-              const ParticleVolume volume = ParticleVolume::deformed)
+  select_body(const std::vector<Body<dim>> &bodies, const std::size_t body)
   {
-    MaterialSelection selection{std::vector<bool>(bodies.size(), false), volume};
+    MaterialSelection selection{std::vector<bool>(bodies.size(), false)};
     selection.bodies[body] = true;
     return selection;
   }
@@ -43,20 +33,18 @@ namespace magmpm
   /** All bodies for which @p counts(body). */
   template <int dim, typename Predicate>
   MaterialSelection
-  select_bodies(const std::vector<Body<dim>> &bodies,
-                const Predicate &counts,
-                const ParticleVolume volume = ParticleVolume::deformed)
+  select_bodies(const std::vector<Body<dim>> &bodies, const Predicate &counts)
   {
-    MaterialSelection selection{{}, volume};
+    MaterialSelection selection;
     for (const Body<dim> &body : bodies)
       selection.bodies.push_back(counts(body));
     return selection;
   }
 
   /**
-   * How full of some material the lattice is: sum over particles of N_i V/dx^dim [-], with the quadratic
+   * How full of some material the lattice is: sum over particles of N_i J V_0/dx^dim [-], with the quadratic
    * B-splines of P2G. This is where every question for the place of material begins: the magnetic
-   * medium's (with its content, magnetic_content_to_lattice()), the density of fluids, surfaces.
+   * medium's (with its content, magnetic_content_to_lattice()), surfaces.
    *
    * @param bodies  sorted into the blocks.
    * @param field   on the active blocks; it becomes this rank's part of the fraction, ghosts too.
