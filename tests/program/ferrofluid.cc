@@ -54,25 +54,14 @@ TEST_CASE("A magnetized surface swings below the cut-off and without field", "[p
 
 TEST_CASE("Ferrofluid stands higher round a wire with a current", "[program]")
 {
-  // The conical meniscus: heights differ by mu_0 int M dH/(rho g). On 32^2 cells they are right to 3 %, in the benchmark
-  // wire_meniscus; on 16^2 what is wrong is the subject of the next test. Without current the pool stays flat, but
-  // for what the walls do to it.
+  // The conical meniscus: heights differ by mu_0 int M dH/(rho g), here on 16^2 cells to 8 %. Without current the pool
+  // stays flat.
   WireMeniscus pool;
   pool.cells                    = 16;
   const MeniscusHeights heights = meniscus_heights(pool);
   INFO("height " << heights.measured << ", exact " << heights.exact);
   CHECK(heights.exact > 0.05);
-  CHECK(std::abs(heights.measured / heights.exact - 1.) < 0.25);
-  pool.current = 0.;
-  CHECK(std::abs(meniscus_heights(pool).measured) < 0.1 * heights.exact);
-}
-
-TEST_CASE("The meniscus round a wire is right on 16 cells", "[program][!shouldfail]")
-{
-  // A limit that is missed: 8 %, where the pool is 4 cells deep; it is 21 % too high, and why is not known. Whoever
-  // mends that is told so by this test.
-  WireMeniscus pool;
-  pool.cells                    = 16;
-  const MeniscusHeights heights = meniscus_heights(pool);
   CHECK(std::abs(heights.measured / heights.exact - 1.) < 0.08);
+  pool.current = 0.;
+  CHECK(std::abs(meniscus_heights(pool).measured) < 0.02 * heights.exact);
 }
