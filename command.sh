@@ -1,1 +1,0 @@
-/tmp/b/magmpm --overwrite viscous-drop.prm --set Output/Particles=false --set Output/Fields=false --set "Output/Frame interval=1" --set "Time step/Elastic factor=1e4" --set "Time step/Force factor=1e4" --set "Time step/Affine factor=1e4" --set "Time step/Viscous factor=0.48" --set "Output directory=output-viscous-drop-insisting"
