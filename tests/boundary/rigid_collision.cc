@@ -121,64 +121,83 @@ namespace
   }
 } // namespace
 
+namespace
+{
+  /** What contact leaves to be done, over what it did: velocities of nodes. */
+  template <int dim>
+  double
+  left_to_do(const ContactCondition condition, const double mass)
+  {
+    // Nodes of random velocity in and around two spinning balls, one of which weighs as much as the nodes in it.
+    // Whatever the contact takes away goes from one to the other: both sums are kept to rounding. Energy may only
+    // be lost.
+    const BlockSet<dim> blocks   = all_blocks<dim>();
+    const SurfaceContact contact = {condition, condition == ContactCondition::stick ? 0. : 0.3};
+    std::vector<RigidBody<dim>> bodies = {free_ball<dim>(filled<dim>(0.52), 0.23, mass, contact),
+                                          free_ball<dim>(filled<dim>(1.08), 0.31, 1e2, contact)};
+    bodies[0].set_motion({filled<dim>(0.5), {{3.}}});
+    bodies[1].set_motion({filled<dim>(-0.2), {{-1.}}});
+    // Particles of a fluid are outside: nodes inside have little mass.
+    NodeField<dim> field = random_nodes<dim>(blocks);
+    for_nodes(blocks, [&](const int slot, const int n) {
+      const Vector<dim> position =
+        test_lattice<dim>().node_position(node_of_block<dim>(blocks.block(slot), n));
+      for (const RigidBody<dim> &body : bodies)
+        if (body.surface_distance(position).distance < 0.)
+          field.node(slot, n)[3] *= 0.1;
+    });
+    const NodeField<dim> before_field = field;
+    const auto before                 = momentum_and_energy(blocks, bodies, field);
+    const int n_sweeps                = collide_with_fluid(blocks, bodies, field);
+    const auto after                  = momentum_and_energy(blocks, bodies, field);
+    CAPTURE(static_cast<int>(condition), mass, before.second, after.second, n_sweeps);
+    CHECK(norm(after.first - before.first) < 1e-12 * (norm(before.first) + before.second));
+    CHECK(after.second < before.second * (1. + 1e-14));
+    CHECK(after.second < 0.999999 * before.second + 1e-4 * mass);
+
+    // Once more.
+    const NodeField<dim> first = field;
+    collide_with_fluid(blocks, bodies, field);
+    double change = 0., pushed = 0.;
+    for_nodes(blocks, [&](const int slot, const int n) {
+      const auto velocity = [&](const NodeField<dim> &of) {
+        return of.get(NodeMotion::velocity, slot, n);
+      };
+      change = std::max(change, norm(velocity(field) - velocity(first)));
+      pushed = std::max(pushed, norm(velocity(first) - velocity(before_field)));
+    });
+    CHECK(pushed > 0.1);
+    return change / pushed;
+  }
+
+  constexpr auto all_conditions = {ContactCondition::stick,
+                                   ContactCondition::slip,
+                                   ContactCondition::separate};
+} // namespace
+
 TEMPLATE_TEST_CASE_SIG("an impact of bodies and nodes conserves momentum and angular momentum",
                        "[boundary]",
                        ((int dim), dim),
                        2,
                        3)
 {
-  // Nodes of random velocity in and around two spinning balls, a light one and one that weighs as
-  // much as the nodes in it, the masses of bodies and nodes in any ratio. Whatever the contact takes
-  // away goes from one to the other: both sums are kept to rounding. Energy may only be lost.
-  const BlockSet<dim> blocks = all_blocks<dim>();
-  for (const ContactCondition condition :
-       {ContactCondition::stick, ContactCondition::slip, ContactCondition::separate})
-    for (const double mass : {1e-6, 0.1, 1e2, 1e8})
-      {
-        const SurfaceContact contact = {condition, condition == ContactCondition::stick ? 0. : 0.3};
-        std::vector<RigidBody<dim>> bodies = {
-          free_ball<dim>(filled<dim>(0.52), 0.23, mass, contact),
-          free_ball<dim>(filled<dim>(1.08), 0.31, 1e2, contact)};
-        bodies[0].set_motion({filled<dim>(0.5), {{3.}}});
-        bodies[1].set_motion({filled<dim>(-0.2), {{-1.}}});
-        // Particles of a fluid are outside: nodes inside have little mass.
-        NodeField<dim> field = random_nodes<dim>(blocks);
-        for_nodes(blocks, [&](const int slot, const int n) {
-          const Vector<dim> position =
-            test_lattice<dim>().node_position(node_of_block<dim>(blocks.block(slot), n));
-          for (const RigidBody<dim> &body : bodies)
-            if (body.surface_distance(position).distance < 0.)
-              field.node(slot, n)[3] *= 0.1;
-        });
-        const NodeField<dim> before_field = field;
-        const auto before                 = momentum_and_energy(blocks, bodies, field);
-        const int n_sweeps                = collide_with_fluid(blocks, bodies, field);
-        const auto after                  = momentum_and_energy(blocks, bodies, field);
-        CAPTURE(static_cast<int>(condition),
-                mass,
-                norm(before.first),
-                before.second,
-                after.second,
-                n_sweeps);
-        CHECK(norm(after.first - before.first) < 1e-12 * (norm(before.first) + before.second));
-        CHECK(after.second < before.second * (1. + 1e-14));
-        CHECK(after.second < 0.999999 * before.second + 1e-4 * mass);
+  // The masses of bodies and nodes in any ratio; once more changes nothing, but where the body is much lighter than
+  // the nodes that it touches, see the next test.
+  for (const ContactCondition condition : all_conditions)
+    {
+      for (const double mass : {1e2, 1e8})
+        CHECK(left_to_do<dim>(condition, mass) < 1e-5);
+      for (const double mass : {1e-6, 0.1})
+        CHECK(left_to_do<dim>(condition, mass) < 0.05);
+    }
+}
 
-        // Once more: what contact does is done.
-        const NodeField<dim> first = field;
-        collide_with_fluid(blocks, bodies, field);
-        double change = 0., pushed = 0.;
-        for_nodes(blocks, [&](const int slot, const int n) {
-          const auto velocity = [&](const NodeField<dim> &of) {
-            return of.get(NodeMotion::velocity, slot, n);
-          };
-          change = std::max(change, norm(velocity(field) - velocity(first)));
-          pushed = std::max(pushed, norm(velocity(first) - velocity(before_field)));
-        });
-        CHECK(pushed > 0.1);
-        // A body much lighter than the nodes that it touches comes to rest among them slowly.
-        CHECK(change < (mass < 1. ? 0.05 : 1e-5) * pushed);
-      }
+TEST_CASE("an impact of a light body leaves nothing to do", "[boundary][!shouldfail]")
+{
+  // A limit that is missed: as of heavy ones. A light body comes to rest among the nodes slowly. Whoever mends that is
+  // told so by this test.
+  for (const double mass : {1e-6, 0.1})
+    CHECK(left_to_do<2>(ContactCondition::stick, mass) < 1e-5);
 }
 
 TEST_CASE("a light body takes over the motion of the material around it", "[boundary]")

@@ -81,14 +81,12 @@ TEST_CASE("A light body floats as deep as Archimedes says, a heavy one sinks", "
   CHECK(heavy.last("raft: position y [m]") > 0.0395);
 }
 
-TEST_CASE("A body on a fluid that it sticks to is carried at its speed", "[program]")
+namespace
 {
-  // A slab of fluid slides on a frictionless floor at 0.5 m/s, a light raft at rest is laid on it.
-  // Nothing else pushes along x, so that momentum goes from one to the other, none is lost (to
-  // rounding), and in the end both have the mean velocity. With a slipping raft and no friction it
-  // stays behind, until the fluid has risen behind it; nodes at its lower edge push it a little, since they have the normal
-  // of its side.
-  const auto carried = [](const std::string &name, const std::string &contact) {
+  /** A slab of fluid slides on a frictionless floor at 0.5 m/s, a light raft at rest is laid on it. */
+  Statistics
+  carried(const std::string &name, const std::string &contact)
+  {
     ParameterText scene;
     scene.gravity  = "0, -9.81";
     scene.box      = "1.28, 0.16";
@@ -100,7 +98,14 @@ TEST_CASE("A body on a fluid that it sticks to is carried at its speed", "[progr
       "subsection Walls\nset Lower y = slip\nset Lower x = slip\nset Upper x = slip\nend\n" +
       no_frames;
     return statistics_of(name, scene);
-  };
+  }
+} // namespace
+
+TEST_CASE("A body on a fluid that it sticks to is carried at its speed", "[program]")
+{
+  // Nothing else pushes along x, so that momentum goes from one to the other, none is lost (to
+  // rounding), and in the end both have the mean velocity. With a slipping raft and no friction it
+  // stays behind, until the fluid has risen behind it.
   const Statistics statistics = carried("carried", "set Contact = stick\n");
   const double mass           = 100. * 0.06 * 0.03;
   const auto &raft            = statistics["raft: velocity x [m/s]"];
@@ -116,7 +121,16 @@ TEST_CASE("A body on a fluid that it sticks to is carried at its speed", "[progr
 
   const Statistics slipping = carried("left-behind", "set Contact = slip\n");
   CHECK(speed_after(statistics, 0.02) > 0.8 * mean);
-  CHECK(std::abs(speed_after(slipping, 0.02)) < 0.4 * mean);
+  CHECK(std::abs(speed_after(slipping, 0.02)) < 0.4 * mean); // what there is: see the next test
+}
+
+TEST_CASE("A body along which a fluid slips stays behind", "[program][!shouldfail]")
+{
+  // A limit that is missed: after 0.02 s it has less than 0.3 of the mean velocity. It has 0.33, and why is
+  // not known. Whoever mends that is told so by this test.
+  const Statistics slipping = carried("left-behind", "set Contact = slip\n");
+  const double mean         = slipping["momentum x [kg/s]"].front() / (1000. * 0.24 * 0.06);
+  CHECK(std::abs(speed_after(slipping, 0.02)) < 0.3 * mean);
 }
 
 TEST_CASE("Rigid bodies do the same on one and on two ranks", "[program]")

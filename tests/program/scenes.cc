@@ -163,6 +163,21 @@ TEST_CASE("Fluid climbs a strong magnet only, and gathers more if it is viscous"
   CHECK(high_strong.gathered > 3. * no_field.gathered);
 }
 
+TEST_CASE("Fluid climbs a strong magnet within 0.3 s", "[program][!shouldfail]")
+{
+  // Limits that are missed: 5 % of the fluid of low viscosity above the lump by then (it is 3.4 %), and of the viscous one
+  // three times as much at the magnet as at a weak one (2.9 times). They were met when fluid could go into the surface of
+  // the magnet, where the field is stronger. Whoever mends that is told so by this test.
+  const Point centre = {0.385, 0.50390625, 0.125};
+  const auto end_of  = [](const std::string &scene) {
+    return frames_of(scene, "0.03125", "0.3").back();
+  };
+  const auto is_high = [](const Point &x) { return x[2] > 0.1484375; };
+  CHECK(share_of(end_of("parameter_study_3"), is_high) > 0.05);
+  CHECK(share_at_ball(end_of("parameter_study_4"), centre, 0.125) >
+        3. * share_at_ball(end_of("parameter_study_2"), centre, 0.125));
+}
+
 TEST_CASE("A spike rises to a magnet that comes near", "[program]")
 {
   // The fluid rises below the magnet, more the nearer it is, and faster and faster, since a higher

@@ -104,21 +104,31 @@ TEST_CASE("The elastic limit keeps a vibrating bar stable", "[program]")
   CHECK(run.errors.find("of body 'bar' ran away at t = ") != std::string::npos);
 }
 
+namespace
+{
+  /** A drop of 100 Pa s, of few and irregular particles, falls on the ground at an angle. @return its file. */
+  std::string
+  viscous_drop()
+  {
+    ParameterText scene;
+    scene.end_time = "0.05";
+    scene.gravity  = "0, -9.81";
+    scene.add_fluid("honey", "1e5", "100");
+    scene.bodies.emplace_back("drop",
+                              "set Material = honey\nset Density = 1000\nset Shape = sphere\n"
+                              "set Centre = 0.16, 0.05\nset Radius = 0.04\nset Velocity = 1, -1\n"
+                              "set Particles per edge = 1\nset Jitter = 1\n");
+    return write_scene("viscous-drop", scene.text());
+  }
+
+  const std::string folder_of_drop = "output-viscous-drop";
+} // namespace
+
 TEST_CASE("The viscous limit keeps a viscous drop stable", "[program]")
 {
-  // A drop of 100 Pa s falls on the ground at an angle. With a factor of 0.12 energy falls, from 0.36
-  // on it rises; with few and irregular particles 0.48 is a runaway. The particles are too close to each other in
-  // places: the pressure that pushes them apart adds 0.04 %.
-  ParameterText scene;
-  scene.end_time = "0.05";
-  scene.gravity  = "0, -9.81";
-  scene.add_fluid("honey", "1e5", "100");
-  scene.bodies.emplace_back("drop",
-                            "set Material = honey\nset Density = 1000\nset Shape = sphere\n"
-                            "set Centre = 0.16, 0.05\nset Radius = 0.04\nset Velocity = 1, -1\n"
-                            "set Particles per edge = 1\nset Jitter = 1\n");
-  const std::string file   = write_scene("viscous-drop", scene.text()),
-                    folder = "output-viscous-drop";
+  // With a factor of 0.12 energy falls but for what the next test says, from 0.36 on it rises; with few and irregular
+  // particles 0.48 is a runaway.
+  const std::string file = viscous_drop(), folder = folder_of_drop;
   check_limit(file, folder, "viscous", "");
   CHECK(course_of(folder).energy_at_most <= 1.001);
   const std::string only = without_other_limits("Viscous");
@@ -126,6 +136,15 @@ TEST_CASE("The viscous limit keeps a viscous drop stable", "[program]")
                                  "--set \"Time step/Viscous factor=0.48\" "
                                       "--set \"Output directory=output-viscous-drop-insisting\"");
   CHECK((run.exit_code == 1 || course_of("output-viscous-drop-insisting").energy_at_most > 2.));
+}
+
+TEST_CASE("Irregular particles of a viscous drop bring no energy", "[program][!shouldfail]")
+{
+  // A limit that is missed: energy never rises over that at the start. Particles that begin too close to each other are
+  // pushed apart by the relaxation of the density, which adds 0.04 %. Whoever mends that is told so by this test.
+  const Outcome run = run_magmpm(viscous_drop() + " " + no_output);
+  REQUIRE(run.exit_code == 0);
+  CHECK(course_of(folder_of_drop).energy_at_most <= 1. + 1e-12);
 }
 
 TEST_CASE("The affine limit keeps a fast spin from turning particles inside out", "[program]")

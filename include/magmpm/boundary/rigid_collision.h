@@ -17,8 +17,8 @@ namespace magmpm
    * What free rigid bodies and solids on the lattice do to each other in a step, together with what bodies
    * and walls do to bodies: an inelastic impact, all of it at once.
    *
-   * A node i that the surface of a body holds or rubs (SolidContact::touched_nodes()) leaves the impact with v_i + D_i (u_i - v_i), where u_i is the velocity of
-   * the body at the node after it and D_i the part of the relative velocity that contact takes away
+   * A node i that the surface of a body holds or rubs (SolidContact::touched_nodes()) leaves the impact with
+   * v_i + D_i (u_i - v_i), where u_i is the velocity of the body at the node after it and D_i the part of the relative velocity that contact takes away
    * (contact_share()): I for stick, n n^T for slip, nothing where separate lets go, and of the
    * tangential part as much as Coulomb's law allows. The body gets the opposite impulse, so that its
    * motion V after the impact solves
