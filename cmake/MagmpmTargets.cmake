@@ -82,9 +82,10 @@ endfunction()
 
 # Kernels. Neither changes a result: no errno from sqrt, no traps on floating point exceptions.
 set(kernel_options -fno-math-errno -fno-trapping-math)
-magmpm_file_options("${kernel_options}" lattice/block_set materials/magnetization_curve
-                    particles/magnetic_transfer particles/particle_grid_transfer
-                    particles/smoothed_volume particles/velocity_filter)
+magmpm_file_options("${kernel_options}" lattice/block_quadrature lattice/block_set
+                    materials/magnetization_curve particles/magnetic_transfer
+                    particles/particle_grid_transfer particles/smoothed_volume
+                    particles/surface_content particles/velocity_filter surface/surface_stress)
 
 # These evaluate the laws of the medium, or integrals round rings, in SIMD lanes, which sqrt leaves
 # where it may set errno.

@@ -1,4 +1,5 @@
 #include <magmpm/boundary/body_share.h>
+#include <magmpm/coupling/closed_walls.h>
 #include <magmpm/coupling/fluid_density.h>
 #include <magmpm/lattice/node_window.h>
 #include <magmpm/parallel/reduce.h>
@@ -7,18 +8,6 @@ namespace magmpm
 {
   namespace
   {
-    /** All that are walls. */
-    template <int dim>
-    MirrorWalls<dim>
-    closed_walls(const Lattice<dim> &lattice, const OpenFaces<dim> &open)
-    {
-      MirrorWalls<dim> walls;
-      walls.n_cells = lattice.n_cells;
-      for (std::size_t face = 0; face < open.size(); ++face)
-        walls.is_mirror[face] = !open[face];
-      return walls;
-    }
-
     /** Sets a quantity to sum over weight where there is a weight. */
     template <int dim, typename Quantities>
     void

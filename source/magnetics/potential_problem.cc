@@ -1,9 +1,9 @@
 #include <magmpm/base/constants.h>
-#include <magmpm/magnetics/force_handover.h>
 #include <magmpm/magnetics/magnetic_force.h>
 #include <magmpm/magnetics/potential_problem.h>
 #include <magmpm/parallel/phase_timer.h>
 #include <magmpm/parallel/reduce.h>
+#include <magmpm/surface/force_handover.h>
 
 namespace magmpm
 {

@@ -59,6 +59,13 @@ namespace magmpm
         "more limits the time step.",
         not_negative,
         Presence::optional);
+      declarations.add("Surface tension",
+                       material.surface_tension,
+                       "N/m",
+                       "gamma of the free surface of a fluid; not given: none. Water has 0.072, "
+                       "ferrofluids of oil about 0.025.",
+                       positive,
+                       Presence::optional);
     }
 
     void
@@ -99,6 +106,9 @@ namespace magmpm
                        Presence::optional);
     }
 
+    /** At least so much must K dx be over gamma: sound is then as fast as 7 sqrt(gamma/(rho dx)). */
+    constexpr double stiffness_over_tension = 50.;
+
     /** No medium of grains comes near; what does is a slip in a unit. */
     constexpr double max_susceptibility = 1e6;
 
@@ -112,7 +122,11 @@ namespace magmpm
       const std::vector<std::string> engineers = {"Young's modulus", "Poisson ratio"};
       const std::vector<std::string> lames     = {"Shear modulus", "Lame lambda"};
       const std::string law                    = "Mechanical law = neo-Hookean";
-      check_given(declarations, section, {}, {"Bulk modulus", "Viscosity", "Sound damping"}, law);
+      check_given(declarations,
+                  section,
+                  {},
+                  {"Bulk modulus", "Viscosity", "Sound damping", "Surface tension"},
+                  law);
 
       const bool by_engineers = !given_of(declarations, section, engineers).empty();
       const bool by_lame      = !given_of(declarations, section, lames).empty();
@@ -158,6 +172,16 @@ namespace magmpm
       material.bulk_modulus         = input.bulk_modulus;
       material.viscosity            = input.viscosity;
       material.sound_damping_length = input.sound_damping * lattice_spacing;
+      material.surface_tension      = input.surface_tension;
+      const double least_modulus = stiffness_over_tension * input.surface_tension / lattice_spacing;
+      if (input.bulk_modulus < least_modulus)
+        throw declarations.error(section + "/Surface tension",
+                                 "sound is too slow for it: a surface of this tension would "
+                                 "squeeze its outermost cells. Set "
+                                 "the Bulk modulus to at least " +
+                                   to_text(stiffness_over_tension) +
+                                   " gamma/dx = " + to_text(least_modulus) +
+                                   " Pa, better twice that, or take larger cells.");
     }
 
     /** That what a user gave makes a medium that can be computed; @p given is named if not. */

@@ -226,6 +226,7 @@ namespace magmpm
                                                        parameters.magnetics.law,
                                                        parameters.magnetics.curve.get(),
                                                        input.temperature}));
+    check_walls(declarations, parameters.walls);
     check_shapes(declarations, input.shapes);
     const auto body_shapes = check_bodies(
       declarations, input.material_names, input.shapes, parameters.lattice, parameters.bodies);

@@ -39,6 +39,11 @@ namespace magmpm
                      "-",
                      "dt <= factor/|C|, C the velocity gradient.",
                      positive);
+    declarations.add("Capillary factor",
+                     time_step.capillary_factor,
+                     "-",
+                     "dt <= factor sqrt(rho dx^3/gamma), of a fluid with surface tension.",
+                     positive);
   }
 
   void

@@ -9,6 +9,7 @@ namespace magmpm
     , material(make_material<dim>(material, parameters.density))
     , magnetic(material.magnetic)
     , transfer(material.transfer)
+    , surface_tension(material.surface_tension)
     , particles(material.law == MechanicalLaw::neo_hookean,
                 material.magnetic.is_magnetic(),
                 smoothed_modulus(this->material) > 0.)

@@ -38,6 +38,7 @@ namespace magmpm
                                                        "Solve potential",
                                                        "Relax density",
                                                        "P2G",
+                                                       "Surface tension",
                                                        "Update lattice",
                                                        "G2P",
                                                        "Statistics",
@@ -51,6 +52,7 @@ namespace magmpm
     , magnetic(magnetic_part(parameters), external_field, phase_timer, communicator)
     , holder(rigid_part(parameters), external_field, magnetic.state().reactions, communicator)
     , fluids(parameters.lattice, parameters.walls.open_faces())
+    , surfaces(parameters.lattice, parameters.walls)
     , forces(parameters.forces)
     , lattice_motion(parameters)
   {
@@ -65,7 +67,7 @@ namespace magmpm
   std::vector<const Coupling *>
   Scene<dim>::couplings() const
   {
-    std::vector<const Coupling *> couplings = {&magnetic, &holder, &fluids};
+    std::vector<const Coupling *> couplings = {&magnetic, &holder, &fluids, &surfaces};
     for (const auto &force : forces.all())
       couplings.push_back(force.get());
     return couplings;
@@ -75,7 +77,7 @@ namespace magmpm
   std::vector<Coupling *>
   Scene<dim>::couplings()
   {
-    std::vector<Coupling *> couplings = {&magnetic, &holder, &fluids};
+    std::vector<Coupling *> couplings = {&magnetic, &holder, &fluids, &surfaces};
     for (const auto &force : forces.all())
       couplings.push_back(force.get());
     return couplings;
@@ -122,7 +124,8 @@ namespace magmpm
     forces.act(state.clock, all_bodies);
     relax_fluids();
     transfer_to_lattice(); // Eq. (28)
-    update_lattice();      // Eqs. (33), (34)
+    pull_surfaces();
+    update_lattice(); // Eqs. (33), (34)
     holder.advance(state.clock);
     reduce(request, transfer_to_particles()); // Eqs. (35)-(37)
 
@@ -163,6 +166,14 @@ namespace magmpm
     const Scope timed(phase_timer, "P2G");
     lattice_motion.sum_momentum(decomposition->partition(), state.clock.time_step, all_bodies);
     holder.find_contact(decomposition->partition(), all_bodies);
+  }
+
+  template <int dim>
+  void
+  Scene<dim>::pull_surfaces()
+  {
+    const Scope timed(phase_timer, "Surface tension");
+    surfaces.act(state.clock, decomposition->partition(), all_bodies, lattice_motion.field());
   }
 
   template <int dim>

@@ -32,6 +32,9 @@ namespace magmpm
       else if (limit == "force")
         text << "Force factor times sqrt(dx/|a|), |a| = " << max_acceleration(conditions)
              << " m/s^2";
+      else if (limit == "capillary")
+        text << "Capillary factor times sqrt(rho dx^3/gamma), which is "
+             << 1. / conditions.capillary_rate << " s";
       else if (limit == "rotation")
         text << "Affine factor over the rate at which a free rigid body turns or swings, "
              << conditions.rotation_rate << " 1/s";
@@ -62,6 +65,7 @@ namespace magmpm
     limit("viscous", parameters.viscous_factor * dx * dx / conditions.kinematic_viscosity);
     limit("force", parameters.force_factor * std::sqrt(dx / max_acceleration(conditions)));
     limit("affine", parameters.affine_factor / conditions.affine_velocity);
+    limit("capillary", parameters.capillary_factor / conditions.capillary_rate);
     limit("rotation", parameters.affine_factor / conditions.rotation_rate);
     return step;
   }

@@ -1,6 +1,7 @@
 #include <magmpm/lattice/node_window.h>
 #include <magmpm/mesh/node_filters.h>
 #include <magmpm/surface/sharp_fraction.h>
+#include <magmpm/surface/sharp_profile.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,9 +10,6 @@ namespace magmpm
 {
   namespace
   {
-    constexpr double smallest_full = 1e-3;
-    constexpr double transition    = 0.8; ///< in v/w
-
     /**
      * Of |grad v| dx, at which the normal has lost 30 % of its length: at surfaces |grad v| dx is about
      * 1/2, in the middle of isolated particles and thin sheets 0.
@@ -22,14 +20,11 @@ namespace magmpm
   template <int dim>
   void
   SharpFraction<dim>::reinit(const BlockPartition<dim> &partition,
-                             const NodeField<dim, SingleScalar> &volumes,
-                             const SharpFractionParameters &parameters)
+                             const NodeField<dim, SingleScalar> &volumes)
   {
     const BlockSet<dim> &blocks = partition.blocks();
     NodeField<dim, SingleScalar> sharpened(volumes);
     remove_smear(partition, sharpened);
-    for (int pass = 0; pass < parameters.n_smoothing_passes; ++pass)
-      smooth(partition, sharpened);
 
     // Twice over 3^dim nodes is once over 5^dim.
     NodeField<dim, SingleScalar> largest(sharpened);
@@ -39,23 +34,12 @@ namespace magmpm
     clipped = 0;
     nodes.reinit(blocks.size());
     for_nodes_and_ghosts(blocks, [&](const int slot, const int node) {
-      const double around = largest.get(SingleScalar::value, slot, node) / parameters.full_volume;
+      const double around = largest.get(SingleScalar::value, slot, node);
       nodes.set(Nodes::volume, slot, node, sharpened.get(SingleScalar::value, slot, node));
-      nodes.set(Nodes::full, slot, node, std::clamp(around, smallest_full, 1.));
-      clipped += slot < blocks.n_owned() && around < smallest_full &&
+      nodes.set(Nodes::full, slot, node, std::clamp(around, smallest_full_volume, 1.));
+      clipped += slot < blocks.n_owned() && around < smallest_full_volume &&
                  volumes.get(SingleScalar::value, slot, node) > 0.;
     });
-  }
-
-  template <int dim>
-  double
-  SharpFraction<dim>::fraction(const double volume, const double full)
-  {
-    if (!(volume > 0.))
-      return 0.;
-    const double w = std::max(full, smallest_full); // nodes that are not active count as zero
-    const double t = std::clamp(0.5 + (volume / w - 0.5) / transition, 0., 1.);
-    return w * t * t * (3. - 2. * t);
   }
 
   template <int dim>

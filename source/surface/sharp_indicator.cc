@@ -1,6 +1,7 @@
 #include <magmpm/lattice/node_window.h>
 #include <magmpm/mesh/node_filters.h>
 #include <magmpm/surface/sharp_indicator.h>
+#include <magmpm/surface/sharp_profile.h>
 
 #include <algorithm>
 
@@ -104,8 +105,7 @@ namespace magmpm
     bool has_material = false;
     for (int q = 0; q < rule.size(); ++q)
       {
-        f[q] = SharpFraction<dim>::fraction(values.get(Nodes::volume, q),
-                                            values.get(Nodes::full, q));
+        f[q] = sharp_fraction(values.get(Nodes::volume, q), values.get(Nodes::full, q));
         if (f[q] > 0.)
           check(cells.position(cell) + rule.offset(q));
         has_material = has_material || f[q] > 0.;

@@ -16,6 +16,7 @@ namespace magmpm
     double acceleration = 0.; ///< the sum of the largest ones of all that acts on material [m/s^2]
     double affine_velocity    = 0.; ///< |C| [1/s]
     double rigid_acceleration = 0.; ///< of free rigid bodies, gravity at least [m/s^2]
+    double capillary_rate     = 0.; ///< sqrt(gamma/(rho dx^3)) [1/s]
     double rotation_rate      = 0.; ///< of free rigid bodies: how fast they turn or swing [1/s]
 
     template <typename Archive>
@@ -29,6 +30,7 @@ namespace magmpm
       archive &acceleration;
       archive &affine_velocity;
       archive &rigid_acceleration;
+      archive &capillary_rate;
       archive &rotation_rate;
     }
   };

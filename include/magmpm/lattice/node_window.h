@@ -108,10 +108,10 @@ namespace magmpm
         f(slot, node);
   }
 
-  /** Calls f(slot, node) for the active ones of the 3^dim nodes around a node, itself included. */
-  template <int dim, typename Function>
-  inline void
-  for_nodes_around(const BlockSet<dim> &blocks, const int slot, const int node, const Function &f)
+  /** Whether f(slot, node) for any of the active ones of the 3^dim nodes around a node, itself included. */
+  template <int dim, typename Predicate>
+  inline bool
+  any_node_around(const BlockSet<dim> &blocks, const int slot, const int node, const Predicate &f)
   {
     using Window           = NodeWindow<dim, 1, 1>;
     constexpr auto offsets = Window::template box_offsets<3>();
@@ -120,8 +120,20 @@ namespace magmpm
       {
         const NodePlace &place = Window::place(first + offset);
         const int other        = blocks.neighbours(slot)[place.neighbour];
-        if (other != invalid_slot)
-          f(other, place.node);
+        if (other != invalid_slot && f(other, place.node))
+          return true;
       }
+    return false;
+  }
+
+  /** Calls f(slot, node) for all of them. */
+  template <int dim, typename Function>
+  inline void
+  for_nodes_around(const BlockSet<dim> &blocks, const int slot, const int node, const Function &f)
+  {
+    any_node_around(blocks, slot, node, [&f](const int other, const int number) {
+      f(other, number);
+      return false;
+    });
   }
 } // namespace magmpm

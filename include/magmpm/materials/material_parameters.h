@@ -54,6 +54,7 @@ namespace magmpm
     double bulk_modulus         = 0.; ///< K [Pa], fluid
     double viscosity            = 0.; ///< mu_N [Pa s], fluid
     double sound_damping_length = 0.; ///< bulk viscosity over density and speed of sound [m], fluid
+    double surface_tension      = 0.; ///< gamma [N/m], fluid; 0: none
     Transfer transfer           = Transfer::apic;
 
     MagneticParameters magnetic;

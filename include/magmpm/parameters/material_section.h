@@ -18,7 +18,8 @@ namespace magmpm
     double youngs_modulus = 0., poisson_ratio = 0.; ///< either these
     double shear_modulus = 0., lame_lambda = 0.;    ///< or these
     double bulk_modulus = 0., viscosity = 0.;
-    double sound_damping = 0.1;
+    double sound_damping   = 0.1;
+    double surface_tension = 0.;
     std::optional<Transfer> transfer; ///< none: that of the law
 
     double saturation_magnetization = 0., initial_susceptibility = 0.; ///< either these

@@ -9,13 +9,14 @@ namespace magmpm
   /** The length of a time step: the smallest of the limits below, or a fixed one. */
   struct TimeStepParameters
   {
-    double fixed_step     = 0.;    ///< dt [s]; 0: as long as the limits allow
-    bool allow_unstable   = false; ///< a fixed step beyond the limits
-    double maximum        = std::numeric_limits<double>::infinity(); ///< [s], of a step not fixed
-    double elastic_factor = 0.4;  ///< dt <= factor dx / (c + |v|)
-    double viscous_factor = 0.12; ///< dt <= factor rho dx^2 / mu_N
-    double force_factor   = 0.3;  ///< dt <= factor sqrt(dx / |a|)
-    double affine_factor  = 0.3;  ///< dt <= factor / |C|
+    double fixed_step       = 0.;    ///< dt [s]; 0: as long as the limits allow
+    bool allow_unstable     = false; ///< a fixed step beyond the limits
+    double maximum          = std::numeric_limits<double>::infinity(); ///< [s], of a step not fixed
+    double elastic_factor   = 0.4;  ///< dt <= factor dx / (c + |v|)
+    double viscous_factor   = 0.12; ///< dt <= factor rho dx^2 / mu_N
+    double force_factor     = 0.3;  ///< dt <= factor sqrt(dx / |a|)
+    double affine_factor    = 0.3;  ///< dt <= factor / |C|
+    double capillary_factor = 0.1;  ///< dt <= factor sqrt(rho dx^3/gamma)
   };
 
   /** How a scene comes to rest, and whether the run ends then. */

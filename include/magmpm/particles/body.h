@@ -29,9 +29,17 @@ namespace magmpm
     Material<dim> material;
     MagneticParameters magnetic;
     Transfer transfer;
+    double surface_tension; ///< [N/m], of fluids; 0: none
     ParticleSet<dim> particles;
 
     /** Particles of the block in slot s, an owned one: run_begin[s] to run_begin[s + 1]. */
     std::vector<std::size_t> run_begin;
   };
+
+  template <int dim>
+  inline bool
+  is_fluid(const Body<dim> &body)
+  {
+    return std::holds_alternative<ViscoelasticFluid<dim>>(body.material);
+  }
 } // namespace magmpm

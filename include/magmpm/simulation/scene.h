@@ -5,6 +5,7 @@
 #include <magmpm/coupling/fluid_density.h>
 #include <magmpm/coupling/magnetic_coupling.h>
 #include <magmpm/coupling/rigid_body_coupling.h>
+#include <magmpm/coupling/surface_tension.h>
 #include <magmpm/magnets/external_field.h>
 #include <magmpm/parallel/phase_timer.h>
 #include <magmpm/parallel/reduce.h>
@@ -207,6 +208,10 @@ namespace magmpm
     void
     transfer_to_lattice();
 
+    /** Adds the impulse of surface tension to the momentum of the lattice. */
+    void
+    pull_surfaces();
+
     void
     update_lattice();
 
@@ -241,6 +246,7 @@ namespace magmpm
     MagneticCoupling<dim> magnetic;
     RigidBodyCoupling<dim> holder;
     FluidDensity<dim> fluids;
+    SurfaceTension<dim> surfaces;
     BodyForces<dim> forces;
 
     std::unique_ptr<DomainDecomposition<dim>> decomposition;

@@ -15,7 +15,7 @@ namespace magmpm
   {
     double length = 0.; ///< dt [s]
     std::string limit =
-      "none"; ///< elastic, viscous, force, affine, rotation, maximum, frame end or fixed
+      "none"; ///< elastic, viscous, force, affine, capillary, rotation, maximum, frame end or fixed
   };
 
   /**
@@ -26,6 +26,7 @@ namespace magmpm
    *   viscous:  dt <= viscous factor dx^2/(J mu_N/rho_0)
    *   force:    dt <= force factor sqrt(dx/|a|)
    *   affine:   dt <= affine factor/|C|
+   *   capillary: dt <= capillary factor sqrt(rho dx^3/gamma)
    *   rotation: dt <= affine factor/omega, of free rigid bodies
    *
    * A fixed step is checked against these limits, unless the user allows an unstable one. The step

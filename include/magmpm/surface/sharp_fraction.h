@@ -6,22 +6,16 @@
 
 namespace magmpm
 {
-  /** What a SharpFraction makes of the volume. */
-  struct SharpFractionParameters
-  {
-    int n_smoothing_passes = 0;  ///< of smooth(), after the smear is removed
-    double full_volume     = 1.; ///< the largest v around that counts as full [-]
-  };
-
   /**
    * Where some material is, sharper than P2G tells: node fields that quadratic B-splines interpolate to
    * points, where they give a fraction f of material, 1 inside and 0 outside with a transition of
    * about one dx,
    *
    *   v = the volume fraction less its smear: v - dx^2/4 Laplace_h v
-   *   w = max of v over 5^dim nodes, over what counts as full, within [1e-3, 1]: single particles
-   *       and thin sheets do not vanish
+   *   w = max of v over 5^dim nodes, within [1e-3, 1]: single particles and thin sheets do not vanish
    *   f = w g(v/w),  g(t) = smoothstep(clip(1/2 + (t - 1/2)/0.8)),   nu = grad v/|grad v|.
+   *
+   * f of v and w: sharp_profile.h.
    *
    * No bodies are told apart. All of it stands on the active blocks; material behind shielded walls is
    * the mirror image of that in front.
@@ -52,9 +46,7 @@ namespace magmpm
      *                 ghosts updated.
      */
     void
-    reinit(const BlockPartition<dim> &partition,
-           const NodeField<dim, SingleScalar> &volumes,
-           const SharpFractionParameters &parameters = {});
+    reinit(const BlockPartition<dim> &partition, const NodeField<dim, SingleScalar> &volumes);
 
     /** v and w on the nodes; ghosts updated. */
     const NodeField<dim, Nodes> &
@@ -62,10 +54,6 @@ namespace magmpm
     {
       return nodes;
     }
-
-    /** f at a point with these interpolated v and w. */
-    static double
-    fraction(const double volume, const double full);
 
     /**
      * nu where the mean of grad v (x) grad v [1/dx^2] is this: its principal direction, of either sign. It

@@ -1,7 +1,7 @@
 #include "catch.h"
 
-#include <magmpm/magnetics/force_handover.h>
 #include <magmpm/parallel/reduce.h>
+#include <magmpm/surface/force_handover.h>
 
 #include <verification/magnetostatics/sampled_setup.h>
 
