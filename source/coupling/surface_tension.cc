@@ -1,5 +1,6 @@
 #include <magmpm/base/exceptions.h>
 #include <magmpm/base/number_text.h>
+#include <magmpm/boundary/body_share.h>
 #include <magmpm/coupling/closed_walls.h>
 #include <magmpm/coupling/surface_tension.h>
 #include <magmpm/lattice/node_window.h>
@@ -30,6 +31,16 @@ namespace magmpm
             wetted.cosine[face] = std::cos(degree * walls.contact_angle[face]);
         }
       return wetted;
+    }
+
+    /** Whether any of them is one that material touches. */
+    template <int dim>
+    bool
+    has_surface(const std::vector<RigidBody<dim>> &bodies)
+    {
+      return std::any_of(bodies.begin(), bodies.end(), [](const RigidBody<dim> &body) {
+        return body.contact().condition != ContactCondition::none;
+      });
     }
 
     template <int dim>
@@ -72,12 +83,14 @@ namespace magmpm
           std::max(record.capillary_rate,
                    std::sqrt(tension / (density_of(body) * std::pow(lattice.spacing, 3))));
       }
+    std::sort(tensions.begin(), tensions.end());
   }
 
   template <int dim>
   void
   SurfaceTension<dim>::act(const Clock &clock,
                            const BlockPartition<dim> &partition,
+                           const std::vector<RigidBody<dim>> &rigid_bodies,
                            std::vector<Body<dim>> &bodies,
                            NodeField<dim> &momentum)
   {
@@ -88,9 +101,11 @@ namespace magmpm
     const BlockSet<dim> &blocks = partition.blocks();
     NodeField<dim, SingleVector> force;
     {
-      const NodeField<dim, SurfaceContent> content = sum_content(partition, momentum, bodies);
-      record.energy = largest_tension * std::pow(lattice.spacing, dim - 1) *
-                      surface.find(partition, content, is_one_fluid, force);
+      const bool is_uniform = is_one_fluid && !has_surface(rigid_bodies);
+      const auto content    = is_uniform ? content_of_mass(partition, momentum)
+                                         : content_of_bodies(partition, rigid_bodies, bodies);
+      record.energy         = largest_tension * std::pow(lattice.spacing, dim - 1) *
+                      surface.find(partition, content, is_uniform, force);
       record.touches = fluids_touch(blocks, content);
     }
     const double unit = largest_tension * std::pow(lattice.spacing, dim - 2);
@@ -105,30 +120,37 @@ namespace magmpm
 
   template <int dim>
   NodeField<dim, SurfaceContent>
-  SurfaceTension<dim>::sum_content(const BlockPartition<dim> &partition,
-                                   const NodeField<dim> &momentum,
-                                   std::vector<Body<dim>> &bodies) const
+  SurfaceTension<dim>::content_of_mass(const BlockPartition<dim> &partition,
+                                       const NodeField<dim> &momentum) const
+  {
+    const BlockSet<dim> &blocks = partition.blocks();
+    const double full_cell      = largest_density * std::pow(lattice.spacing, dim);
+    NodeField<dim, SurfaceContent> content(blocks.size());
+    for_nodes(blocks, [&](const int slot, const int n) {
+      content.set(
+        SurfaceContent::volume, slot, n, momentum.get(NodeMotion::mass, slot, n) / full_cell);
+    });
+    partition.update_ghosts(content);
+    return content;
+  }
+
+  template <int dim>
+  NodeField<dim, SurfaceContent>
+  SurfaceTension<dim>::content_of_bodies(const BlockPartition<dim> &partition,
+                                         const std::vector<RigidBody<dim>> &rigid_bodies,
+                                         std::vector<Body<dim>> &bodies) const
   {
     const BlockSet<dim> &blocks = partition.blocks();
     NodeField<dim, SurfaceContent> content(blocks.size());
-    if (is_one_fluid)
-      {
-        // What P2G has just summed up tells it.
-        const double full_cell = largest_density * std::pow(lattice.spacing, dim);
-        for_nodes(blocks, [&](const int slot, const int n) {
-          content.set(
-            SurfaceContent::volume, slot, n, momentum.get(NodeMotion::mass, slot, n) / full_cell);
-        });
-      }
-    else
-      {
-        surface_content_to_lattice(bodies, blocks, lattice, content);
-        partition.add_ghosts_to_owners(content);
-        for_nodes(blocks, [&](const int slot, const int n) {
-          const double sum = content.get(SurfaceContent::tension, slot, n);
-          content.set(SurfaceContent::tension, slot, n, sum / largest_tension);
-        });
-      }
+    NodeField<dim, SingleScalar> rigid(blocks.size());
+    surface_content_to_lattice(bodies, blocks, lattice, content);
+    partition.add_ghosts_to_owners(content);
+    add_share_in_bodies(rigid_bodies, blocks, lattice, rigid);
+    for_nodes(blocks, [&](const int slot, const int n) {
+      const double sum = content.get(SurfaceContent::tension, slot, n);
+      content.set(SurfaceContent::tension, slot, n, sum / largest_tension);
+      content.add(SurfaceContent::volume, slot, n, rigid.get(SingleScalar::value, slot, n));
+    });
     partition.update_ghosts(content);
     return content;
   }

@@ -3,6 +3,7 @@
 #include <magmpm/parameters/attraction_section.h>
 #include <magmpm/parameters/body_section.h>
 #include <magmpm/parameters/checkpoint_section.h>
+#include <magmpm/parameters/face_names.h>
 #include <magmpm/parameters/magnetics_section.h>
 #include <magmpm/parameters/output_section.h>
 #include <magmpm/parameters/parallel_section.h>
@@ -149,6 +150,23 @@ namespace magmpm
             "'Cell size' helps, or 'Potential cell size = dx'.");
     }
 
+    /** Contact angles of nothing. */
+    template <int dim>
+    void
+    warn_of_angles(const ParameterRegister &declarations, Parameters<dim> &parameters)
+    {
+      const auto has_tension = [](const MaterialParameters &material) {
+        return material.surface_tension > 0.;
+      };
+      if (std::any_of(parameters.materials.begin(), parameters.materials.end(), has_tension))
+        return;
+      for (std::size_t face = 0; face < parameters.walls.contact_angle.size(); ++face)
+        if (parameters.walls.contact_angle[face] != 90.)
+          parameters.warnings.push_back(
+            declarations.where("Walls/" + face_names[face] + " contact angle") +
+            " does nothing: no material has a 'Surface tension'.");
+    }
+
     /** What is allowed but probably not meant. */
     template <int dim>
     void
@@ -177,6 +195,7 @@ namespace magmpm
           parameters.warnings.push_back(declarations.where("Materials/List of materials") +
                                         ": no body is made of '" + material.name + "'.");
       warn_of_permeable(declarations, parameters);
+      warn_of_angles(declarations, parameters);
     }
   } // namespace
 

@@ -173,7 +173,11 @@ namespace magmpm
   Scene<dim>::pull_surfaces()
   {
     const Scope timed(phase_timer, "Surface tension");
-    surfaces.act(state.clock, decomposition->partition(), all_bodies, lattice_motion.field());
+    surfaces.act(state.clock,
+                 decomposition->partition(),
+                 holder.bodies().all(),
+                 all_bodies,
+                 lattice_motion.field());
   }
 
   template <int dim>

@@ -119,7 +119,7 @@ namespace magmpm
     gather_window<dim, 1, 2>(volumes, blocks, slot, SingleScalar::value.lane, nodes.volume);
     window.copy_images(nodes.volume);
     const auto [least, largest] = std::minmax_element(nodes.volume.begin(), nodes.volume.end());
-    if (!(*largest > 0.))
+    if (!(*largest > 0.) || (!nodes.is_uniform && !find_tension(blocks, content, slot, nodes)))
       return false;
     // Beyond this f is 1, since w is at most one.
     nodes.has_surface = *least < 0.5 * (1. + sharp_transition);
@@ -127,14 +127,25 @@ namespace magmpm
       find_full(blocks, slot, nodes.full);
     else
       nodes.full.fill(1.);
-    if (!nodes.is_uniform)
-      {
-        gather_window<dim, 1, 2>(
-          content, blocks, slot, SurfaceContent::tension.lane, nodes.tension);
-        gather_window<dim, 1, 2>(content, blocks, slot, SurfaceContent::volume.lane, nodes.content);
-        window.add_images(nodes.tension);
-        window.add_images(nodes.content);
-      }
+    return true;
+  }
+
+  template <int dim>
+  bool
+  SurfaceForce<dim>::find_tension(const BlockSet<dim> &blocks,
+                                  const NodeField<dim, SurfaceContent> &content,
+                                  const int slot,
+                                  typename Stress::Nodes &nodes) const
+  {
+    const MirroredWindow<dim, 1, 2> window(walls.mirrors, blocks.block(slot));
+    gather_window<dim, 1, 2>(content, blocks, slot, SurfaceContent::tension.lane, nodes.tension);
+    if (std::all_of(nodes.tension.begin(), nodes.tension.end(), [](const double t) {
+          return t == 0.;
+        }))
+      return false;
+    gather_window<dim, 1, 2>(content, blocks, slot, SurfaceContent::volume.lane, nodes.content);
+    window.add_images(nodes.tension);
+    window.add_images(nodes.content);
     return true;
   }
 

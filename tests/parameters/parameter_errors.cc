@@ -704,3 +704,28 @@ TEST_CASE("Messages on hydrostatic bodies", "[parameters]")
                                             "at the start: nothing has weight. Set it "
                                             "to undeformed, or Gravity to another value.");
 }
+
+// What surface tension needs: a fluid, sound that is fast enough, a wall along which its line moves.
+TEST_CASE("Surface tension and contact angles are checked", "[parameters]")
+{
+  const std::vector<std::string> fluid = {"Materials/clay/Mechanical law=viscoelastic fluid",
+                                          "Materials/clay/Young's modulus=",
+                                          "Materials/clay/Poisson ratio=",
+                                          "Materials/clay/Viscosity=0.1",
+                                          "Materials/clay/Bulk modulus=59",
+                                          "Walls/Lower z=slip"};
+  CHECK(message_with("Materials/clay/Surface tension=0.073", fluid) == "");
+  CHECK_THAT(message_with("Materials/clay/Surface tension=0.075", fluid),
+             Catch::Contains("Materials/clay/Surface tension = 0.075: sound is too slow for it") &&
+               Catch::Contains("to at least 50 gamma/dx = 60 Pa"));
+  CHECK(
+    message_with("Materials/clay/Surface tension=0.07") ==
+    "Materials/clay/Surface tension = 0.07: Mechanical law = neo-Hookean does not use it; remove "
+    "this line or change that.");
+  CHECK(message_with("Walls/Lower z contact angle=40", fluid) == "");
+  CHECK_THAT(
+    message_with("Walls/Lower x contact angle=40", fluid),
+    Catch::Contains("Walls/Lower x contact angle = 40: it needs 'Lower x' = slip or separate"));
+  CHECK_THAT(message_with("Walls/Lower z contact angle=181", fluid),
+             Catch::Contains("a number from 0 to 180"));
+}

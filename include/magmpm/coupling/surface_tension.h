@@ -1,5 +1,6 @@
 #pragma once
 
+#include <magmpm/boundary/rigid_body.h>
 #include <magmpm/boundary/wall_parameters.h>
 #include <magmpm/coupling/clock.h>
 #include <magmpm/coupling/coupling.h>
@@ -20,8 +21,8 @@ namespace magmpm
    * waves.) What falls on nodes that hold next to nothing goes to the next ones inward. A scene without it
    * pays nothing.
    *
-   * Where a solid touches such a fluid, material goes on, and only what is free has tension: the surface meets
-   * the solid at 90 degrees.
+   * Where a solid or a rigid body touches such a fluid, material goes on, and only what is free has tension:
+   * the surface meets it at 90 degrees.
    */
   template <int dim>
   class SurfaceTension : public Coupling
@@ -37,6 +38,7 @@ namespace magmpm
     void
     act(const Clock &clock,
         const BlockPartition<dim> &partition,
+        const std::vector<RigidBody<dim>> &rigid_bodies,
         std::vector<Body<dim>> &bodies,
         NodeField<dim> &momentum);
 
@@ -86,11 +88,15 @@ namespace magmpm
     void
     look_at(const std::vector<Body<dim>> &bodies);
 
-    /** Volumes on nodes, ghosts up to date. */
+    /** Volumes on nodes where all is one fluid: what P2G has just summed up tells them. Ghosts up to date. */
     NodeField<dim, SurfaceContent>
-    sum_content(const BlockPartition<dim> &partition,
-                const NodeField<dim> &momentum,
-                std::vector<Body<dim>> &bodies) const;
+    content_of_mass(const BlockPartition<dim> &partition, const NodeField<dim> &momentum) const;
+
+    /** The same of several bodies and of rigid ones. */
+    NodeField<dim, SurfaceContent>
+    content_of_bodies(const BlockPartition<dim> &partition,
+                      const std::vector<RigidBody<dim>> &rigid_bodies,
+                      std::vector<Body<dim>> &bodies) const;
 
     /** Masses of nodes that can take a force, with those behind walls in front, ghosts up to date. */
     NodeField<dim, SingleScalar>

@@ -48,12 +48,19 @@ namespace magmpm
     find_volumes(const BlockPartition<dim> &partition,
                  const NodeField<dim, SurfaceContent> &content);
 
-    /** v, w and tension around a block. @return whether there is any material. */
+    /** v, w and tension around a block. @return whether there is any. */
     bool
     find_nodes(const BlockSet<dim> &blocks,
                const NodeField<dim, SurfaceContent> &content,
                const int slot,
                typename Stress::Nodes &nodes) const;
+
+    /** The tension around a block where it differs. @return whether there is any. */
+    bool
+    find_tension(const BlockSet<dim> &blocks,
+                 const NodeField<dim, SurfaceContent> &content,
+                 const int slot,
+                 typename Stress::Nodes &nodes) const;
 
     /** w around a block that has a surface. */
     void
