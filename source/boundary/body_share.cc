@@ -5,22 +5,17 @@
 
 namespace magmpm
 {
-  namespace
+  double
+  share_inside(const double t)
   {
-    /** How far a B-spline reaches from its node, in dx. */
-    constexpr double reach = 1.5;
-
-    double
-    share_inside(const double t)
-    {
-      const double a = std::abs(t);
-      if (a >= reach)
-        return t > 0. ? 0. : 1.;
-      const double share = (a < 0.5 ? 0.5 - 0.75 * a + a * a * a / 3.
-                                    : (reach - a) * (reach - a) * (reach - a) / 6.);
-      return t > 0. ? share : 1. - share;
-    }
-  } // namespace
+    constexpr double reach = bspline_reach;
+    const double a         = std::abs(t);
+    if (a >= reach)
+      return t > 0. ? 0. : 1.;
+    const double share = (a < 0.5 ? 0.5 - 0.75 * a + a * a * a / 3.
+                                  : (reach - a) * (reach - a) * (reach - a) / 6.);
+    return t > 0. ? share : 1. - share;
+  }
 
   template <int dim>
   void
@@ -34,7 +29,7 @@ namespace magmpm
         for_nodes(blocks, [&](const int slot, const int n) {
           const Vector<dim> position =
             lattice.node_position(node_of_block<dim>(blocks.block(slot), n));
-          if (body.is_near(position, reach * lattice.spacing))
+          if (body.is_near(position, bspline_reach * lattice.spacing))
             fraction.add(SingleScalar::value,
                          slot,
                          n,

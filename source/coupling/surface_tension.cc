@@ -1,6 +1,6 @@
 #include <magmpm/base/exceptions.h>
 #include <magmpm/base/number_text.h>
-#include <magmpm/boundary/body_share.h>
+#include <magmpm/boundary/body_images.h>
 #include <magmpm/coupling/closed_walls.h>
 #include <magmpm/coupling/surface_tension.h>
 #include <magmpm/lattice/node_window.h>
@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace magmpm
 {
@@ -21,14 +22,12 @@ namespace magmpm
     WettedWalls<dim>
     wetted_walls(const Lattice<dim> &lattice, const WallParameters<dim> &walls)
     {
-      constexpr double degree = 3.14159265358979323846 / 180.;
       WettedWalls<dim> wetted;
       wetted.mirrors = closed_walls<dim>(lattice, walls.open_faces());
       for (std::size_t face = 0; face < walls.condition.size(); ++face)
         {
           wetted.sticks[face] = walls.condition[face] == WallCondition::stick;
-          if (walls.contact_angle[face] != 90.) // of which the cosine is 6e-17
-            wetted.cosine[face] = std::cos(degree * walls.contact_angle[face]);
+          wetted.cosine[face] = cosine_of_angle(walls.contact_angle[face]);
         }
       return wetted;
     }
@@ -101,12 +100,15 @@ namespace magmpm
     const BlockSet<dim> &blocks = partition.blocks();
     NodeField<dim, SingleVector> force;
     {
-      const bool is_uniform = is_one_fluid && !has_surface(rigid_bodies);
-      const auto content    = is_uniform ? content_of_mass(partition, momentum)
-                                         : content_of_bodies(partition, rigid_bodies, bodies);
-      record.energy         = largest_tension * std::pow(lattice.spacing, dim - 1) *
-                      surface.find(partition, content, is_uniform, force);
-      record.touches = fluids_touch(blocks, content);
+      SurfaceFields<dim> fields;
+      fields.is_uniform = is_one_fluid;
+      fields.content    = is_one_fluid ? content_of_mass(partition, momentum)
+                                       : content_of_bodies(partition, bodies);
+      if (has_surface(rigid_bodies))
+        mirror_at_bodies(partition, rigid_bodies, fields);
+      record.energy = largest_tension * std::pow(lattice.spacing, dim - 1) *
+                      surface.find(partition, fields, force);
+      record.touches = fluids_touch(blocks, fields.content);
     }
     const double unit = largest_tension * std::pow(lattice.spacing, dim - 2);
     record.dropped = unit * hand_force_inward(partition, taking_masses(partition, momentum), force);
@@ -137,22 +139,45 @@ namespace magmpm
   template <int dim>
   NodeField<dim, SurfaceContent>
   SurfaceTension<dim>::content_of_bodies(const BlockPartition<dim> &partition,
-                                         const std::vector<RigidBody<dim>> &rigid_bodies,
                                          std::vector<Body<dim>> &bodies) const
   {
     const BlockSet<dim> &blocks = partition.blocks();
     NodeField<dim, SurfaceContent> content(blocks.size());
-    NodeField<dim, SingleScalar> rigid(blocks.size());
     surface_content_to_lattice(bodies, blocks, lattice, content);
     partition.add_ghosts_to_owners(content);
-    add_share_in_bodies(rigid_bodies, blocks, lattice, rigid);
     for_nodes(blocks, [&](const int slot, const int n) {
       const double sum = content.get(SurfaceContent::tension, slot, n);
       content.set(SurfaceContent::tension, slot, n, sum / largest_tension);
-      content.add(SurfaceContent::volume, slot, n, rigid.get(SingleScalar::value, slot, n));
     });
     partition.update_ghosts(content);
     return content;
+  }
+
+  template <int dim>
+  void
+  SurfaceTension<dim>::mirror_at_bodies(const BlockPartition<dim> &partition,
+                                        const std::vector<RigidBody<dim>> &rigid_bodies,
+                                        SurfaceFields<dim> &fields) const
+  {
+    const BlockSet<dim> &blocks = partition.blocks();
+    BodyImages<dim> mirrors(rigid_bodies, blocks, lattice);
+    partition.update_ghosts(mirrors.share);
+    fields.images = mirrors.images(blocks);
+    // In front of a body B-splines see only what is in front.
+    for_nodes_and_ghosts(blocks, [&](const int slot, const int n) {
+      const double outside = 1. - mirrors.share.get(SingleScalar::value, slot, n);
+      if (outside < 0.5)
+        return;
+      for (const auto quantity : {SurfaceContent::volume, SurfaceContent::tension})
+        fields.content.set(quantity, slot, n, fields.content.get(quantity, slot, n) / outside);
+    });
+    fields.images.fill(fields.content);
+    partition.update_ghosts(fields.content);
+    fields.rigid_share = std::move(mirrors.share);
+    if (!mirrors.are_wetted())
+      return;
+    partition.update_ghosts(mirrors.wetting);
+    fields.rigid_wetting = std::move(mirrors.wetting);
   }
 
   template <int dim>

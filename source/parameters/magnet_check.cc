@@ -25,10 +25,12 @@ namespace magmpm
       if (contact.condition != ContactCondition::none && kind.interior != Interior::may_be_solid)
         throw magnet.declarations.error(magnet.section + "/Contact",
                                         "a " + kind.name + " has no surface; set it to none.");
-      if (contact.friction > 0. && (contact.condition == ContactCondition::none ||
-                                    contact.condition == ContactCondition::stick))
+      if (contact.friction > 0. && !contact.lets_slide())
         throw magnet.declarations.error(magnet.section + "/Friction",
                                         "there is friction with Contact = slip or separate only.");
+      if (contact.contact_angle != 90. && !contact.lets_slide())
+        throw magnet.declarations.error(magnet.section + "/Contact angle",
+                                        "there is one with Contact = slip or separate only.");
     }
 
     /** That a free magnet has mass, and a place to begin at; others must not have these. */

@@ -181,6 +181,12 @@ namespace magmpm
                      "Coulomb's coefficient of friction at the surface, with Contact = slip or "
                      "separate.",
                      not_negative);
+    declarations.add("Contact angle",
+                     magnet.body.contact.contact_angle,
+                     "degrees",
+                     "Angle within the fluid between this surface and that of a fluid with surface "
+                     "tension, with Contact = slip or separate.",
+                     {0., 180.});
     declarations.add("Free",
                      magnet.body.is_free,
                      "Whether forces move it: a rigid body of its shape, with the position and "

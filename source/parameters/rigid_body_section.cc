@@ -62,6 +62,12 @@ namespace magmpm
                      "Coulomb's coefficient, with Contact = slip or separate, and of rigid bodies "
                      "with walls and each other.",
                      not_negative);
+    declarations.add("Contact angle",
+                     body.properties.contact.contact_angle,
+                     "degrees",
+                     "Angle within the fluid between this surface and that of a fluid with surface "
+                     "tension, with Contact = slip or separate.",
+                     {0., 180.});
   }
 
   namespace

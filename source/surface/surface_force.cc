@@ -82,7 +82,7 @@ namespace magmpm
   template <int dim>
   void
   SurfaceForce<dim>::find_volumes(const BlockPartition<dim> &partition,
-                                  const NodeField<dim, SurfaceContent> &content)
+                                  const SurfaceFields<dim> &fields)
   {
     constexpr int reach = 2; // of both filters
     using Around        = MirroredWindow<dim, reach, reach>;
@@ -97,7 +97,7 @@ namespace magmpm
         if (!is_in_box(block, 1))
           continue;
         gather_window<dim, reach, reach>(
-          content, blocks, slot, SurfaceContent::volume.lane, values);
+          fields.content, blocks, slot, SurfaceContent::volume.lane, values);
         if (std::all_of(values.begin(), values.end(), [](const double c) { return c == 0.; }))
           continue;
         Around(walls.mirrors, block).add_images(values);
@@ -106,12 +106,16 @@ namespace magmpm
           volumes.set(SingleScalar::value, slot, node, values[Window::of_block(node)]);
       }
     partition.update_ghosts(volumes);
+    if (fields.rigid_share.n_blocks() == 0)
+      return;
+    fields.images.fill(volumes);
+    partition.update_ghosts(volumes);
   }
 
   template <int dim>
   bool
   SurfaceForce<dim>::find_nodes(const BlockSet<dim> &blocks,
-                                const NodeField<dim, SurfaceContent> &content,
+                                const SurfaceFields<dim> &fields,
                                 const int slot,
                                 typename Stress::Nodes &nodes) const
   {
@@ -119,7 +123,8 @@ namespace magmpm
     gather_window<dim, 1, 2>(volumes, blocks, slot, SingleScalar::value.lane, nodes.volume);
     window.copy_images(nodes.volume);
     const auto [least, largest] = std::minmax_element(nodes.volume.begin(), nodes.volume.end());
-    if (!(*largest > 0.) || (!nodes.is_uniform && !find_tension(blocks, content, slot, nodes)))
+    if (!(*largest > 0.) ||
+        (!nodes.is_uniform && !find_tension(blocks, fields.content, slot, nodes)))
       return false;
     // Beyond this f is 1, since w is at most one.
     nodes.has_surface = *least < 0.5 * (1. + sharp_transition);
@@ -127,7 +132,32 @@ namespace magmpm
       find_full(blocks, slot, nodes.full);
     else
       nodes.full.fill(1.);
+    nodes.has_bodies = fields.rigid_share.n_blocks() > 0;
+    if (nodes.has_bodies)
+      {
+        gather_window<dim, 1, 2>(
+          fields.rigid_share, blocks, slot, SingleScalar::value.lane, nodes.rigid);
+        window.copy_images(nodes.rigid);
+      }
     return true;
+  }
+
+  template <int dim>
+  double
+  SurfaceForce<dim>::wet_bodies(const BlockSet<dim> &blocks,
+                                const SurfaceFields<dim> &fields,
+                                const int slot,
+                                const typename Stress::Nodes &nodes,
+                                std::array<NodeValues, dim> &force) const
+  {
+    if (fields.rigid_wetting.n_blocks() == 0)
+      return 0.;
+    NodeValues wetting;
+    gather_window<dim, 1, 2>(fields.rigid_wetting, blocks, slot, SingleScalar::value.lane, wetting);
+    if (std::all_of(wetting.begin(), wetting.end(), [](const double w) { return w == 0.; }))
+      return 0.;
+    MirroredWindow<dim, 1, 2>(walls.mirrors, blocks.block(slot)).copy_images(wetting);
+    return bodies.add_force(nodes, wetting, force);
   }
 
   template <int dim>
@@ -198,27 +228,27 @@ namespace magmpm
   template <int dim>
   double
   SurfaceForce<dim>::find(const BlockPartition<dim> &partition,
-                          const NodeField<dim, SurfaceContent> &content,
-                          const bool is_uniform,
+                          const SurfaceFields<dim> &fields,
                           NodeField<dim, SingleVector> &force)
   {
     const BlockSet<dim> &blocks = partition.blocks();
-    find_volumes(partition, content);
+    find_volumes(partition, fields);
     force.reinit(blocks.size());
     double energy = 0.;
     typename Stress::Nodes nodes;
-    nodes.is_uniform = is_uniform;
+    nodes.is_uniform = fields.is_uniform;
     for (int slot = 0; slot < blocks.n_owned(); ++slot)
       {
         const Index<dim> &block = blocks.block(slot);
-        if (!is_in_box(block) || !find_nodes(blocks, content, slot, nodes))
+        if (!is_in_box(block) || !find_nodes(blocks, fields, slot, nodes))
           continue;
         std::array<NodeValues, dim> forces = {};
         if (nodes.has_surface)
           energy += stress.add_force(nodes, forces);
-        const double wall_energy = add_wall_tension<dim>(walls, block, nodes, forces);
-        energy += wall_energy;
-        if (nodes.has_surface || wall_energy != 0.)
+        const double wetted = add_wall_tension<dim>(walls, block, nodes, forces) +
+                              wet_bodies(blocks, fields, slot, nodes, forces);
+        energy += wetted;
+        if (nodes.has_surface || wetted != 0.)
           add_to_field(blocks, slot, forces, force);
       }
     partition.add_ghosts_to_owners(force);

@@ -3,19 +3,33 @@
 #include <magmpm/surface/sharp_profile.h>
 #include <magmpm/surface/surface_stress.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace magmpm
 {
   template <int dim>
   void
-  SurfaceStress<dim>::weigh(const Nodes &nodes, const int plane, PlaneValues &slopes) const
+  SurfaceStress<dim>::weigh_by_tension(const Nodes &nodes,
+                                       const int plane,
+                                       PlaneValues &slopes) const
   {
     PlaneValues tension, content;
     rule.interpolate(nodes.tension, plane, tension);
     rule.interpolate(nodes.content, plane, content);
     for (int q = 0; q < rule.plane; ++q)
       slopes[q] *= content[q] > 0. ? tension[q] / content[q] : 0.;
+  }
+
+  template <int dim>
+  void
+  SurfaceStress<dim>::cut_at_bodies(const Nodes &nodes, const int plane, PlaneValues &slopes) const
+  {
+    constexpr double width = 0.3; // of the cut, in the share: half a dx
+    PlaneValues share;
+    rule.interpolate(nodes.rigid, plane, share);
+    for (int q = 0; q < rule.plane; ++q)
+      slopes[q] *= std::min(std::max(0.5 + (0.5 - share[q]) / width, 0.), 1.);
   }
 
   template <int dim>
@@ -39,7 +53,9 @@ namespace magmpm
         slopes[y * rule.points_1d + x] *= weights[x] * weights[y] *
                                           (dim == 3 ? weights[plane] : 1.);
     if (!nodes.is_uniform)
-      weigh(nodes, plane, slopes);
+      weigh_by_tension(nodes, plane, slopes);
+    if (nodes.has_bodies)
+      cut_at_bodies(nodes, plane, slopes);
     return true;
   }
 

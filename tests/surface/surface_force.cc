@@ -38,7 +38,10 @@ namespace
     find(const SampledBody<dim> &body, const double tension = 1., const bool is_uniform = true)
     {
       setup.set_bodies({body});
-      NodeField<dim, SurfaceContent> content(setup.partition.blocks().size());
+      SurfaceFields<dim> fields;
+      fields.is_uniform                       = is_uniform;
+      NodeField<dim, SurfaceContent> &content = fields.content;
+      content.reinit(setup.partition.blocks().size());
       setup.for_owned_nodes([&](const int slot, const int node, const Vector<dim> &) {
         const double volume = setup.mass.get(SingleScalar::value, slot, node);
         content.set(SurfaceContent::volume, slot, node, volume);
@@ -46,8 +49,7 @@ namespace
       });
       setup.partition.update_ghosts(content);
       SurfaceForce<dim> surface(setup.lattice, walls);
-      energy = parallel::sum(surface.find(setup.partition, content, is_uniform, force),
-                             MPI_COMM_WORLD);
+      energy = parallel::sum(surface.find(setup.partition, fields, force), MPI_COMM_WORLD);
     }
 
     /** Sum of f_i . (x_i - x), which is -(dim - 1) times the energy. */

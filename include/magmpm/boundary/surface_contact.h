@@ -21,6 +21,16 @@ namespace magmpm
   {
     ContactCondition condition = ContactCondition::none;
     double friction            = 0.; ///< Coulomb's coefficient [-], of slip and separate
+
+    /** At which the free surface of a fluid meets it, within the fluid; of slip and separate [degrees]. */
+    double contact_angle = 90.;
+
+    /** Whether there is a line that moves along it. */
+    bool
+    lets_slide() const
+    {
+      return condition == ContactCondition::slip || condition == ContactCondition::separate;
+    }
   };
 
   /**

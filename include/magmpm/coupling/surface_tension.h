@@ -21,8 +21,8 @@ namespace magmpm
    * waves.) What falls on nodes that hold next to nothing goes to the next ones inward. A scene without it
    * pays nothing.
    *
-   * Where a solid or a rigid body touches such a fluid, material goes on, and only what is free has tension:
-   * the surface meets it at 90 degrees.
+   * Where a solid touches such a fluid material goes on, and only what is free has tension: the surface meets
+   * it at 90 degrees. Walls and rigid bodies are mirrors, with a contact angle of their own.
    */
   template <int dim>
   class SurfaceTension : public Coupling
@@ -92,11 +92,15 @@ namespace magmpm
     NodeField<dim, SurfaceContent>
     content_of_mass(const BlockPartition<dim> &partition, const NodeField<dim> &momentum) const;
 
-    /** The same of several bodies and of rigid ones. */
+    /** The same of several bodies. */
     NodeField<dim, SurfaceContent>
-    content_of_bodies(const BlockPartition<dim> &partition,
-                      const std::vector<RigidBody<dim>> &rigid_bodies,
-                      std::vector<Body<dim>> &bodies) const;
+    content_of_bodies(const BlockPartition<dim> &partition, std::vector<Body<dim>> &bodies) const;
+
+    /** Gives nodes in rigid bodies the images of what is in front of them. */
+    void
+    mirror_at_bodies(const BlockPartition<dim> &partition,
+                     const std::vector<RigidBody<dim>> &rigid_bodies,
+                     SurfaceFields<dim> &fields) const;
 
     /** Masses of nodes that can take a force, with those behind walls in front, ghosts up to date. */
     NodeField<dim, SingleScalar>

@@ -32,6 +32,10 @@ namespace magmpm
       /** Where tension differs from place to place, it is the ratio of these; else not looked at. */
       NodeValues tension, content;
       bool is_uniform = true;
+
+      /** The share of rigid bodies, in which there is no stress; looked at if there are any. */
+      NodeValues rigid;
+      bool has_bodies = false;
     };
 
     /**
@@ -54,6 +58,10 @@ namespace magmpm
 
     /** Multiplies by the tension of each point. */
     void
-    weigh(const Nodes &nodes, const int plane, PlaneValues &slopes) const;
+    weigh_by_tension(const Nodes &nodes, const int plane, PlaneValues &slopes) const;
+
+    /** Multiplies by 1 in front of rigid bodies, by 0 behind their surface, where the share is a half. */
+    void
+    cut_at_bodies(const Nodes &nodes, const int plane, PlaneValues &slopes) const;
   };
 } // namespace magmpm
