@@ -86,8 +86,14 @@ TEST_CASE("The energy of a drop of any shape is that of spheroids", "[verificati
       {
         const MagneticDrop drop = {dim, chi};
         for (const double aspect : {1.2, 2.})
-          CHECK(MagneticDropEnergy(drop, 3.)(modes_of_spheroid(drop, aspect, 14)).value ==
-                Approx(spheroid_energy(drop, 3., aspect)).epsilon(1e-5));
+          {
+            const std::vector<double> spheroid = modes_of_spheroid(drop, aspect, 14);
+            const MagneticDropEnergy energy(drop, 3.);
+            CHECK(energy(spheroid).value ==
+                  Approx(spheroid_energy(drop, 3., aspect)).epsilon(1e-5));
+            CHECK(std::exp(energy.log_aspect(spheroid)) == Approx(aspect).epsilon(1e-4));
+            CHECK(energy.moment_aspect(spheroid) == Approx(aspect).epsilon(1e-4));
+          }
         const std::vector<double> modes = {0.4, 0.1, -0.03};
         const MagneticDropEnergy energy(drop, 3.);
         const ValueAndGradient there = energy(modes);

@@ -186,6 +186,23 @@ namespace magmpm::verification
     return sum;
   }
 
+  double
+  MagneticDropEnergy::moment_aspect(const std::vector<double> &modes) const
+  {
+    double along = 0., across = 0.;
+    for (const ElementPoint &point : elements.points())
+      {
+        double log_radius = 0.;
+        for (std::size_t n = 1; n <= modes.size(); ++n)
+          log_radius += modes[n - 1] * mode(n, point.x).x;
+        const double weight = point.weight * std::exp((drop.dim + 2) * log_radius);
+        const double square = std::pow(elevation(drop.dim, point.x).x, 2);
+        along += weight * square;
+        across += weight * (1. - square) / (drop.dim - 1.);
+      }
+    return std::sqrt(along / across);
+  }
+
   MagneticDropShape
   magnetic_drop_shape(const MagneticDrop &drop,
                       const double bond_number,
@@ -196,6 +213,9 @@ namespace magmpm::verification
     std::vector<double> modes = start;
     modes.resize(n_modes, 0.);
     const Minimum minimum = minimize(energy, modes, 0.05, 1e-7);
-    return {minimum.place, std::exp(energy.log_aspect(minimum.place)), minimum.value};
+    return {minimum.place,
+            std::exp(energy.log_aspect(minimum.place)),
+            energy.moment_aspect(minimum.place),
+            minimum.value};
   }
 } // namespace magmpm::verification

@@ -31,6 +31,10 @@ namespace magmpm::verification
     double
     log_aspect(const std::vector<double> &modes) const;
 
+    /** Square root of the ratio of second moments of the volume along and across the axis. */
+    double
+    moment_aspect(const std::vector<double> &modes) const;
+
     /** A mode and its slope at x. */
     PlaneGradient
     mode(const int n, const double x) const;
@@ -59,7 +63,9 @@ namespace magmpm::verification
   struct MagneticDropShape
   {
     std::vector<double> modes;
-    double aspect;
+    double aspect; ///< r on the axis over that at the equator
+    double
+      moment_aspect; ///< square root of the ratio of second moments along and across; the aspect of a spheroid
     double energy;
   };
 

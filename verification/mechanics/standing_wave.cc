@@ -1,9 +1,7 @@
 #include <magmpm/base/constants.h>
 
-#include <deal.II/lac/full_matrix.h>
-#include <deal.II/lac/vector.h>
-
 #include <verification/mechanics/archimedes.h>
+#include <verification/mechanics/damped_wave.h>
 #include <verification/mechanics/standing_wave.h>
 #include <verification/program/parameter_text.h>
 #include <verification/program/particle_frame.h>
@@ -12,7 +10,6 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace magmpm::verification
@@ -80,8 +77,6 @@ subsection Output
       return text;
     }
 
-    using Course = std::vector<std::pair<double, double>>; // times and amplitudes
-
     double
     amplitude_of(const WaveTank &tank, const ParticleFrame &frame)
     {
@@ -89,56 +84,6 @@ subsection Output
       for (const auto &position : frame.positions)
         sum += std::cos(pi / tank.width * position[0]);
       return 2. * tank.depth * sum / static_cast<double>(frame.size());
-    }
-
-    /** exp(-b t) (C cos(omega t) + S sin(omega t)). */
-    struct DampedWave
-    {
-      double cosine = 0., sine = 0., decay = 0., frequency = 0.;
-
-      double
-      value(const double time) const
-      {
-        return std::exp(-decay * time) *
-               (cosine * std::cos(frequency * time) + sine * std::sin(frequency * time));
-      }
-    };
-
-    /** Least squares by Gauss and Newton. @param frequency  to start with. */
-    DampedWave
-    fit(const Course &course, const double frequency)
-    {
-      DampedWave wave;
-      wave.frequency = frequency;
-      for (int i = 0; i < 30; ++i)
-        {
-          dealii::FullMatrix<double> matrix(4, 4);
-          dealii::Vector<double> right(4), change(4);
-          for (const auto &[time, amplitude] : course)
-            {
-              const double e         = std::exp(-wave.decay * time);
-              const double c         = e * std::cos(wave.frequency * time),
-                           s         = e * std::sin(wave.frequency * time);
-              const double slopes[4] = {
-                c, s, -time * wave.value(time), time * (wave.sine * c - wave.cosine * s)};
-              for (int a = 0; a < 4; ++a)
-                {
-                  right[a] += slopes[a] * (amplitude - wave.value(time));
-                  for (int b = 0; b < 4; ++b)
-                    matrix(a, b) += slopes[a] * slopes[b];
-                }
-            }
-          // At first the amplitude is zero, and nothing depends on decay and frequency.
-          for (int a = 2; i == 0 && a < 4; ++a)
-            matrix(a, a) = 1.;
-          matrix.gauss_jordan();
-          matrix.vmult(change, right);
-          wave.cosine += change[0];
-          wave.sine += change[1];
-          wave.decay += change[2];
-          wave.frequency += change[3];
-        }
-      return wave;
     }
   } // namespace
 
@@ -179,13 +124,9 @@ subsection Output
     for (const ParticleFrame &frame : particle_frames(folder))
       if (frame.time > start - 0.5 * interval)
         course.emplace_back(frame.time - start, amplitude_of(tank, frame));
-    const DampedWave wave = fit(course, 2. * pi / period);
-    double squares        = 0.;
-    for (const auto &[time, amplitude] : course)
-      squares += std::pow(amplitude - wave.value(time), 2) / static_cast<double>(course.size());
-
-    const double first  = std::hypot(wave.cosine, wave.sine);
-    WaveTank compressed = tank;
+    const DampedWave wave = fit_damped_wave(course, 2. * pi / period);
+    const double first    = wave.amplitude();
+    WaveTank compressed   = tank;
     compressed.depth =
       Pool{2, tank.width, tank.depth, density, density * std::pow(tank.sound, 2), tank.gravity}
         .level();
@@ -193,7 +134,7 @@ subsection Output
     const double mean = first * std::exp(-0.5 * wave.decay * periods * period);
     return {wave.frequency / standing_wave_frequency(compressed, mean) - 1.,
             1. - std::exp(-2. * pi * wave.decay / wave.frequency),
-            std::sqrt(squares) / first,
+            misfit(course, wave) / first,
             first};
   }
 } // namespace magmpm::verification

@@ -55,11 +55,12 @@ namespace magmpm::verification
     ParameterText &
     add_fluid(const std::string &name,
               const std::string &bulk_modulus,
-              const std::string &viscosity)
+              const std::string &viscosity,
+              const std::string &lines = "")
     {
       materials.emplace_back(name,
                              "set Mechanical law = viscoelastic fluid\nset Bulk modulus = " +
-                               bulk_modulus + "\nset Viscosity = " + viscosity + "\n");
+                               bulk_modulus + "\nset Viscosity = " + viscosity + "\n" + lines);
       return *this;
     }
 
