@@ -16,7 +16,7 @@ namespace magmpm
   namespace
   {
     /** A node with less of a full cell than this gives its force away: it would be shot off. */
-    constexpr double least_share = 0.01;
+    constexpr double least_share = 0.001;
 
     template <int dim>
     WettedWalls<dim>
