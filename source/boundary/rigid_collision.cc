@@ -98,19 +98,19 @@ namespace magmpm
   int
   RigidCollision<dim>::collide(const BlockSet<dim> &blocks,
                                const LatticeBoundary<dim> &boundary,
-                               const SolidContact<dim> &contact,
                                const double time_step,
                                const MPI_Comm communicator,
-                               std::vector<RigidBody<dim>> &bodies,
-                               NodeField<dim> &field,
-                               NodeField<dim> &unconstrained) const
+                               const std::vector<CollidingGroup<dim>> &groups,
+                               std::vector<RigidBody<dim>> &bodies) const
   {
     if (std::none_of(bodies.begin(), bodies.end(), [](const auto &body) { return body.is_free(); }))
       return 0;
     const std::vector<RigidContact<dim>> contacts = search.find(bodies, time_step);
     separate_overlaps(contacts, tolerated_overlap * lattice.spacing, bodies);
 
-    TouchedNodes<dim> nodes(bodies, contact, blocks, lattice, field);
+    std::vector<TouchedNodes<dim>> nodes;
+    for (const CollidingGroup<dim> &group : groups)
+      nodes.emplace_back(bodies, group.contact, blocks, lattice, group.field);
     std::vector<RigidVector<dim>> motions(bodies.size());
     for (std::size_t b = 0; b < bodies.size(); ++b)
       motions[b] = rigid_vector<dim>(bodies[b].motion().velocity,
@@ -118,11 +118,14 @@ namespace magmpm
     int iteration = 0;
     for (bool converged = false; !converged && iteration < max_iterations; ++iteration)
       {
-        nodes.update_shares(bodies, motions);
         std::vector<RigidEquation<dim>> equations(bodies.size());
-        nodes.add_to(equations);
-        for (std::size_t b = 0; b < bodies.size(); ++b)
-          equations[b].momentum += contact.impulses()[b];
+        for (std::size_t g = 0; g < groups.size(); ++g)
+          {
+            nodes[g].update_shares(bodies, motions);
+            nodes[g].add_to(equations);
+            for (std::size_t b = 0; b < bodies.size(); ++b)
+              equations[b].momentum += groups[g].contact.impulses()[b];
+          }
         sum_over_ranks(bodies, communicator, equations);
         if (iteration == 0 && contacts.empty() && are_zero(equations))
           return 1;
@@ -132,7 +135,8 @@ namespace magmpm
         converged = is_converged(bodies, before, motions);
       }
     // With the shares of the last equations: then momentum is conserved, converged or not.
-    nodes.apply(motions, blocks, boundary, field, unconstrained);
+    for (std::size_t g = 0; g < groups.size(); ++g)
+      nodes[g].apply(motions, blocks, boundary, groups[g].field, groups[g].unconstrained);
     for (std::size_t b = 0; b < bodies.size(); ++b)
       if (bodies[b].is_free())
         bodies[b].set_motion(motion_of<dim>(motions[b]));

@@ -70,10 +70,11 @@ namespace magmpm
 
     template <int dim>
     bool
-    has_solids(const std::vector<Body<dim>> &bodies, const int slot)
+    has_solids(const std::vector<Body<dim>> &bodies, const int group, const int slot)
     {
       return std::any_of(bodies.begin(), bodies.end(), [&](const Body<dim> &body) {
-        return is_solid(body) && body.run_begin[slot] < body.run_begin[slot + 1];
+        return is_solid(body) && is_in_group(body, group) &&
+               body.run_begin[slot] < body.run_begin[slot + 1];
       });
     }
 
@@ -243,7 +244,7 @@ namespace magmpm
     const double distance = reach_of_contact(lattice) + 2. * lattice.spacing;
     NearSurfaces<dim> near;
     for (int slot = 0; slot < blocks.n_owned(); ++slot)
-      if (has_solids(bodies, slot))
+      if (has_solids(bodies, every_group, slot))
         {
           find_near<dim>(lattice, contact, blocks.block(slot), distance, near);
           if (!near.empty())
@@ -255,6 +256,7 @@ namespace magmpm
   template <int dim>
   void
   sum_contact(const std::vector<Body<dim>> &bodies,
+              const int group,
               const BlockSet<dim> &blocks,
               const Lattice<dim> &lattice,
               const SolidContact<dim> &contact,
@@ -264,14 +266,14 @@ namespace magmpm
     NearSurfaces<dim> near;
     for (int slot = 0; slot < blocks.n_owned(); ++slot)
       {
-        if (!has_solids(bodies, slot))
+        if (!has_solids(bodies, group, slot))
           continue;
         find_near<dim>(lattice, contact, blocks.block(slot), reach_of_contact(lattice), near);
         if (near.empty())
           continue;
         const NodesOfBlock<dim> nodes(lattice, blocks, slot, sums);
         for (const Body<dim> &body : bodies)
-          if (is_solid(body))
+          if (is_solid(body) && is_in_group(body, group))
             add_particles(
               body, body.run_begin[slot], body.run_begin[slot + 1], lattice, near, nodes);
       }
@@ -283,6 +285,7 @@ namespace magmpm
                                 const Lattice<dim> &,           \
                                 const SolidContact<dim> &);     \
   template void sum_contact(const std::vector<Body<dim>> &,     \
+                            int,                                \
                             const BlockSet<dim> &,              \
                             const Lattice<dim> &,               \
                             const SolidContact<dim> &,          \

@@ -50,7 +50,6 @@ namespace magmpm
     , communicator(communicator)
     , rigid_bodies(all_bodies(parameters, external_field))
     , boundary(parameters.lattice, parameters.walls)
-    , solid_contact(parameters.lattice, parameters.walls, rigid_bodies.all())
     , collision(parameters.lattice,
                 parameters.walls,
                 rigid_bodies.all(),
@@ -58,6 +57,8 @@ namespace magmpm
     , magnet_forces(external_field)
     , forces_of_row(external_field.sources().size())
   {
+    for (std::size_t g = 0; g < parameters.contact_groups.size(); ++g)
+      solid_contacts.emplace_back(parameters.lattice, parameters.walls, rigid_bodies.all());
     move_free_sources(rigid_bodies, external_field);
   }
 
@@ -76,14 +77,23 @@ namespace magmpm
                                        const std::vector<Body<dim>> &bodies)
   {
     const BlockSet<dim> &blocks = partition.blocks();
-    solid_contact.reinit(now.contact_is_near ? blocks.size() : 0);
-    if (!now.contact_is_near)
-      return;
-    sum_contact(bodies, blocks, parameters.lattice, solid_contact, solid_contact.sums());
-    partition.add_ghosts_to_owners(solid_contact.sums());
-    // Images behind walls are chosen on ghosts too, see WallImages.
-    if (has_fluid(bodies))
-      partition.update_ghosts(solid_contact.sums());
+    for (std::size_t g = 0; g < solid_contacts.size(); ++g)
+      {
+        SolidContact<dim> &contact = solid_contacts[g];
+        contact.reinit(now.contact_is_near ? blocks.size() : 0);
+        if (!now.contact_is_near)
+          continue;
+        sum_contact(bodies,
+                    parameters.contact_groups[g],
+                    blocks,
+                    parameters.lattice,
+                    contact,
+                    contact.sums());
+        partition.add_ghosts_to_owners(contact.sums());
+        // Images behind walls are chosen on ghosts too, see WallImages.
+        if (has_fluid(bodies))
+          partition.update_ghosts(contact.sums());
+      }
   }
 
   template <int dim>
@@ -92,35 +102,32 @@ namespace magmpm
                                   const BlockPartition<dim> &partition,
                                   const bool has_fluids,
                                   const double typical_particle_mass,
-                                  NodeField<dim> &field,
-                                  NodeField<dim> &unconstrained)
+                                  std::vector<GroupMotion<dim>> &groups)
   {
-    const bool meets_fluids = has_fluids && solid_contact.has_bodies();
+    const bool meets_fluids = has_fluids && solid_contacts.front().has_bodies();
     if (!rigid_bodies.any_is_free() && !meets_fluids)
       return;
     accelerate(clock);
     if (meets_fluids)
       {
-        partition.update_ghosts(field);
+        GroupMotion<dim> &of_fluids = groups.front(); // group 0
+        partition.update_ghosts(of_fluids.motion);
         FluidContact<dim> fluid(find_fluid_constraints(rigid_bodies.all(),
-                                                       solid_contact,
+                                                       solid_contacts.front(),
                                                        parameters.walls,
                                                        partition.blocks(),
                                                        parameters.lattice,
                                                        negligible_mass(typical_particle_mass),
-                                                       field,
+                                                       of_fluids.motion,
                                                        communicator));
         fluid.solve(rigid_bodies.all());
-        fluid.apply(partition.blocks(), boundary, field, unconstrained);
+        fluid.apply(partition.blocks(), boundary, of_fluids.motion, of_fluids.unconstrained);
       }
-    collision.collide(partition.blocks(),
-                      boundary,
-                      solid_contact,
-                      clock.time_step,
-                      communicator,
-                      rigid_bodies.all(),
-                      field,
-                      unconstrained);
+    std::vector<CollidingGroup<dim>> colliding;
+    for (std::size_t g = 0; g < groups.size(); ++g)
+      colliding.push_back({solid_contacts[g], groups[g].motion, groups[g].unconstrained});
+    collision.collide(
+      partition.blocks(), boundary, clock.time_step, communicator, colliding, rigid_bodies.all());
   }
 
   template <int dim>
@@ -198,9 +205,22 @@ namespace magmpm
     now.held = 0;
     for (Body<dim> &body : bodies)
       now.held += hold_at_walls(blocks, parameters.lattice, open, body);
-    now.contact_energy  = solid_contact.energy();
-    now.contact_depth   = solid_contact.depth();
-    now.contact_is_near = is_contact_near(bodies, blocks, parameters.lattice, solid_contact);
+    now.contact_energy = now.contact_depth = 0.;
+    for (const SolidContact<dim> &contact : solid_contacts)
+      {
+        now.contact_energy += contact.energy();
+        now.contact_depth = std::max(now.contact_depth, contact.depth());
+      }
+    now.contact_is_near =
+      is_contact_near(bodies, blocks, parameters.lattice, solid_contacts.front());
+  }
+
+  template <int dim>
+  void
+  RigidBodyCoupling<dim>::note_contact(const double energy, const double depth)
+  {
+    now.contact_energy += energy;
+    now.contact_depth = std::max(now.contact_depth, depth);
   }
 
   template <int dim>

@@ -92,7 +92,7 @@ namespace magmpm
   RigidBodyCoupling<dim>::add_columns(ColumnTable &table) const
   {
     table.add("held particles", "", [this] { return counts.held; });
-    if (solid_contact.has_surfaces())
+    if (solid_contacts.size() > 1 || solid_contacts.front().has_surfaces())
       {
         table.add("contact energy", ColumnUnits<dim>::energy, [this] { return counts.energy; });
         table.add("deepest contact", "m", [this] { return counts.depth; });

@@ -75,6 +75,15 @@ namespace magmpm
       "Of a fluid: hydrostatic, it is compressed by the weight of the fluids and solids "
       "that stand above it, in gravity of the start, and so fills its shape at rest; its "
       "mass is a little more than density times volume. Undeformed, it sinks at first.");
+    declarations.add(
+      "Contact group",
+      body.contact_group,
+      "-",
+      "Bodies of one group that meet move together from then on, as one piece: what "
+      "has no group of its own welds. Bodies of different groups touch and part, see "
+      "Contacts. Fluids are in group 0. Each group takes its own memory for what is "
+      "stored on the lattice.",
+      {0., 1e6});
     declarations.add("Velocity", body.velocity, "m/s", "Velocity at the start.");
     declarations.add("Angular velocity",
                      body.angular_velocity,

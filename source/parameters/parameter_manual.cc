@@ -14,7 +14,7 @@ This file is the output of `magmpm --print-parameters`.
 A parameter file consists of lines `set NAME = VALUE`, which may stand in `subsection NAME` ... `end`;
 `#` starts a comment. Below, a heading `Bodies/<body>` is a subsection of the subsection `Bodies`
 that has the name of a body: every name in `List of shapes`, `List of bodies`, `List of materials`,
-`List of magnets` and `List of rigid bodies` has such a subsection; one that is not listed is left out. On the command line the same is `--set "Bodies/cube/Density=1000"`.
+`List of magnets`, `List of rigid bodies` and `List of contacts` has such a subsection; one that is not listed is left out. On the command line the same is `--set "Bodies/cube/Density=1000"`.
 
 All values are in SI units. Vectors are numbers separated by commas, and what changes in time is given
 as expressions of t separated by semicolons, such as `0.5; 0.5; 0.2 + 0.1*t`. The lists below are
@@ -61,6 +61,7 @@ faces along z.
     input.material_names   = {"<material>"};
     input.magnet_names     = {"<magnet>"};
     input.rigid_body_names = {"<rigid body>"};
+    input.contact_names    = {"<contact>"};
 
     Parameters<3> parameters;
     ParameterRegister declarations;

@@ -4,6 +4,7 @@
 #include <magmpm/parameters/body_section.h>
 #include <magmpm/parameters/checkpoint_section.h>
 #include <magmpm/parameters/face_names.h>
+#include <magmpm/parameters/contact_section.h>
 #include <magmpm/parameters/magnetics_section.h>
 #include <magmpm/parameters/output_section.h>
 #include <magmpm/parameters/parallel_section.h>
@@ -131,6 +132,16 @@ namespace magmpm
               declarations, parameters.rigid_bodies[i], input.rigid_body_motions[i]);
           }
       }
+      {
+        const auto section = declarations.enter("Contacts");
+        declare_list(declarations,
+                     "List of contacts",
+                     input.contact_names,
+                     "Names of contacts between two groups of bodies; each has a subsection of its "
+                     "name here. Groups of which none is listed separate, without friction.");
+        for (std::size_t i = 0; i < input.contacts.size(); ++i)
+          declare_contact(declarations, input.contact_names[i], input.contacts[i]);
+      }
     }
 
     /** What the cells of the potential do not resolve, whatever the shape (doc/accuracy.md). */
@@ -211,6 +222,7 @@ namespace magmpm
     parameters.rigid_bodies.resize(input.rigid_body_names.size());
     input.materials.resize(input.material_names.size());
     input.rigid_body_motions.resize(input.rigid_body_names.size());
+    input.contacts.resize(input.contact_names.size());
 
     declare_scene(declarations, input, parameters);
     declare_lists(declarations, input, parameters);
@@ -250,6 +262,7 @@ namespace magmpm
     const auto body_shapes = check_bodies(
       declarations, input.material_names, input.shapes, parameters.lattice, parameters.bodies);
     check_initial_states(declarations, parameters);
+    check_contacts(declarations, input.contact_names, input.contacts, parameters);
     check_magnets(declarations, input.magnet_names, input.magnets, body_shapes, parameters);
     check_rigid_bodies(
       declarations, input.rigid_body_motions, input.shapes, body_shapes, parameters);

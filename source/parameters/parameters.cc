@@ -4,6 +4,7 @@
 #include <magmpm/parameters/parameters.h>
 
 #include <algorithm>
+#include <set>
 #include <sstream>
 
 namespace magmpm
@@ -56,6 +57,16 @@ namespace magmpm
     return *material;
   }
 
+  template <int dim>
+  std::vector<int>
+  Parameters<dim>::contact_groups() const
+  {
+    std::set<int> groups;
+    for (const BodyParameters<dim> &body : bodies)
+      groups.insert(body.contact_group);
+    return {groups.begin(), groups.end()};
+  }
+
   int
   read_dimension(const ParameterFile &file)
   {
@@ -77,6 +88,7 @@ namespace magmpm
     input.material_names   = names_in_list(file, "Materials/List of materials");
     input.magnet_names     = names_in_list(file, "Magnets/List of magnets");
     input.rigid_body_names = names_in_list(file, "Rigid bodies/List of rigid bodies");
+    input.contact_names    = names_in_list(file, "Contacts/List of contacts");
 
     Parameters<dim> parameters;
     ParameterRegister declarations;

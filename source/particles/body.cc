@@ -10,6 +10,7 @@ namespace magmpm
     , magnetic(material.magnetic)
     , transfer(material.transfer)
     , surface_tension(material.surface_tension)
+    , contact_group(parameters.contact_group)
     , particles(material.law == MechanicalLaw::neo_hookean,
                 material.magnetic.is_magnetic(),
                 smoothed_modulus(this->material) > 0.)

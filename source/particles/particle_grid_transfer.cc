@@ -15,7 +15,12 @@ namespace magmpm
 {
   namespace
   {
-    constexpr auto all_bodies = [](const auto &) { return true; };
+    /** Whether a body counts for a contact group. */
+    auto
+    bodies_of(const int group)
+    {
+      return [group](const auto &body) { return is_in_group(body, group); };
+    }
 
     template <int n_components, int batch>
     inline void
@@ -280,7 +285,8 @@ namespace magmpm
                        const BlockSet<dim> &blocks,
                        const Lattice<dim> &lattice,
                        const double time_step,
-                       NodeField<dim> &field)
+                       NodeField<dim> &field,
+                       const int group)
   {
     Arena<dim> arena;
     field.set_zero();
@@ -288,7 +294,7 @@ namespace magmpm
       bodies,
       blocks,
       lattice,
-      all_bodies,
+      bodies_of(group),
       [&](const int) { arena.set_zero(); },
       [&](const std::size_t b, const ParticleRun<dim> &run) {
         std::visit(
@@ -310,7 +316,8 @@ namespace magmpm
                        const BlockSet<dim> &blocks,
                        const Lattice<dim> &lattice,
                        const double time_step,
-                       std::vector<Body<dim>> &bodies)
+                       std::vector<Body<dim>> &bodies,
+                       const int group)
   {
     std::vector<ParticleExtremes> extremes(bodies.size());
     const bool is_filtered = velocities.filtered.n_blocks() > 0;
@@ -319,7 +326,7 @@ namespace magmpm
       bodies,
       blocks,
       lattice,
-      all_bodies,
+      bodies_of(group),
       [&](const int slot) {
         plain.load(velocities.velocity, blocks, slot);
         if (!is_filtered)
@@ -347,12 +354,14 @@ namespace magmpm
                                           const BlockSet<dim> &,                                   \
                                           const Lattice<dim> &,                                    \
                                           double,                                                  \
-                                          NodeField<dim> &);                                       \
+                                          NodeField<dim> &,                                        \
+                                          int);                                                    \
   template std::vector<ParticleExtremes> lattice_to_particles<dim>(const LatticeVelocities<dim> &, \
                                                                    const BlockSet<dim> &,          \
                                                                    const Lattice<dim> &,           \
                                                                    double,                         \
-                                                                   std::vector<Body<dim>> &);
+                                                                   std::vector<Body<dim>> &,       \
+                                                                   int);
 
   INSTANTIATE(2)
   INSTANTIATE(3)

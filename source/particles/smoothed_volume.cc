@@ -135,27 +135,28 @@ namespace magmpm
 
     template <int dim>
     bool
-    has_moduli(const Body<dim> &body, const LameModuli &moduli)
+    is_of(const Body<dim> &body, const SmoothedMaterial &material)
     {
       const auto *solid = std::get_if<NeoHookean<dim>>(&body.material);
-      return solid != nullptr && solid->shear_modulus == moduli.shear_modulus &&
-             solid->lame_lambda == moduli.lame_lambda;
+      return solid != nullptr && solid->shear_modulus == material.moduli.shear_modulus &&
+             solid->lame_lambda == material.moduli.lame_lambda &&
+             body.contact_group == material.contact_group;
     }
   } // namespace
 
   template <int dim>
-  std::vector<LameModuli>
+  std::vector<SmoothedMaterial>
   smoothed_materials(const std::vector<Body<dim>> &bodies)
   {
-    std::vector<LameModuli> materials;
+    std::vector<SmoothedMaterial> materials;
     for (const Body<dim> &body : bodies)
       if (smoothed_modulus(body.material) > 0. &&
-          std::none_of(materials.begin(), materials.end(), [&](const LameModuli &known) {
-            return has_moduli(body, known);
+          std::none_of(materials.begin(), materials.end(), [&](const SmoothedMaterial &known) {
+            return is_of(body, known);
           }))
         {
           const auto &solid = std::get<NeoHookean<dim>>(body.material);
-          materials.push_back({solid.shear_modulus, solid.lame_lambda});
+          materials.push_back({{solid.shear_modulus, solid.lame_lambda}, body.contact_group});
         }
     return materials;
   }
@@ -163,7 +164,7 @@ namespace magmpm
   template <int dim>
   void
   sum_strain(std::vector<Body<dim>> &bodies,
-             const LameModuli &moduli,
+             const SmoothedMaterial &material,
              const BlockSet<dim> &blocks,
              const Lattice<dim> &lattice,
              NodeField<dim, NodeStrain> &field)
@@ -174,7 +175,7 @@ namespace magmpm
       bodies,
       blocks,
       lattice,
-      [&](const Body<dim> &body) { return has_moduli(body, moduli); },
+      [&](const Body<dim> &body) { return is_of(body, material); },
       [&](const int) { arena.set_zero(); },
       [&](const std::size_t b, const ParticleRun<dim> &run) {
         const auto &law = std::get<NeoHookean<dim>>(bodies[b].material);
@@ -197,7 +198,7 @@ namespace magmpm
   template <int dim>
   void
   find_volumetric_stress(const NodeField<dim, NodeStrain> &field,
-                         const LameModuli &moduli,
+                         const SmoothedMaterial &material,
                          const BlockSet<dim> &blocks,
                          const Lattice<dim> &lattice,
                          std::vector<Body<dim>> &bodies)
@@ -207,7 +208,7 @@ namespace magmpm
       bodies,
       blocks,
       lattice,
-      [&](const Body<dim> &body) { return has_moduli(body, moduli); },
+      [&](const Body<dim> &body) { return is_of(body, material); },
       [&](const int slot) { arena.load(field, blocks, slot); },
       [&](const std::size_t b, const ParticleRun<dim> &run) {
         gather_strain(run, std::get<NeoHookean<dim>>(bodies[b].material), arena.data());
@@ -215,18 +216,18 @@ namespace magmpm
       [](const int) {});
   }
 
-#define INSTANTIATE(dim)                                                               \
-  template std::vector<LameModuli> smoothed_materials(const std::vector<Body<dim>> &); \
-  template void sum_strain(std::vector<Body<dim>> &,                                   \
-                           const LameModuli &,                                         \
-                           const BlockSet<dim> &,                                      \
-                           const Lattice<dim> &,                                       \
-                           NodeField<dim, NodeStrain> &);                              \
-  template void divide_by_weight(const BlockSet<dim> &, NodeField<dim, NodeStrain> &); \
-  template void find_volumetric_stress(const NodeField<dim, NodeStrain> &,             \
-                                       const LameModuli &,                             \
-                                       const BlockSet<dim> &,                          \
-                                       const Lattice<dim> &,                           \
+#define INSTANTIATE(dim)                                                                     \
+  template std::vector<SmoothedMaterial> smoothed_materials(const std::vector<Body<dim>> &); \
+  template void sum_strain(std::vector<Body<dim>> &,                                         \
+                           const SmoothedMaterial &,                                         \
+                           const BlockSet<dim> &,                                            \
+                           const Lattice<dim> &,                                             \
+                           NodeField<dim, NodeStrain> &);                                    \
+  template void divide_by_weight(const BlockSet<dim> &, NodeField<dim, NodeStrain> &);       \
+  template void find_volumetric_stress(const NodeField<dim, NodeStrain> &,                   \
+                                       const SmoothedMaterial &,                             \
+                                       const BlockSet<dim> &,                                \
+                                       const Lattice<dim> &,                                 \
                                        std::vector<Body<dim>> &);
 
   INSTANTIATE(2)

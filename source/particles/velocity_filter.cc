@@ -57,7 +57,8 @@ namespace magmpm
                   const BlockSet<dim> &blocks,
                   const Lattice<dim> &lattice,
                   const NodeField<dim> &velocity,
-                  NodeField<dim> &sums)
+                  NodeField<dim> &sums,
+                  const int group)
   {
     Arena<dim> from, to;
     sums.set_zero();
@@ -65,7 +66,7 @@ namespace magmpm
       bodies,
       blocks,
       lattice,
-      [](const auto &) { return true; },
+      [group](const auto &body) { return is_in_group(body, group); },
       [&](const int slot) {
         from.load(velocity, blocks, slot);
         to.set_zero();
@@ -84,7 +85,8 @@ namespace magmpm
                                      const BlockSet<dim> &,                 \
                                      const Lattice<dim> &,                  \
                                      const NodeField<dim> &,                \
-                                     NodeField<dim> &);
+                                     NodeField<dim> &,                      \
+                                     int);
 
   INSTANTIATE(2)
   INSTANTIATE(3)

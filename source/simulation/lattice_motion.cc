@@ -32,11 +32,12 @@ namespace magmpm
 
     template <int dim>
     bool
-    has_fluids(const Parameters<dim> &parameters)
+    has_fluids(const Parameters<dim> &parameters, const int group)
     {
       return std::any_of(
         parameters.bodies.begin(), parameters.bodies.end(), [&](const BodyParameters<dim> &body) {
-          return parameters.material_of(body).law == MechanicalLaw::viscoelastic_fluid;
+          return body.contact_group == group &&
+                 parameters.material_of(body).law == MechanicalLaw::viscoelastic_fluid;
         });
     }
 
@@ -53,29 +54,43 @@ namespace magmpm
   } // namespace
 
   template <int dim>
-  LatticeMotion<dim>::LatticeMotion(const Parameters<dim> &parameters)
+  LatticeMotion<dim>::LatticeMotion(const Parameters<dim> &parameters, const MPI_Comm communicator)
     : lattice(parameters.lattice)
     , gravity(parameters.gravity)
     , damping_rate(parameters.rest.damping_rate)
     , particle_mass(typical_particle_mass(parameters))
     , is_filtered(wants_filter(parameters))
     , has_smoothed_bodies(wants_smoothing(parameters))
-    , images(parameters.lattice, parameters.walls, has_fluids(parameters))
+    , group_contact(parameters.lattice,
+                    parameters.contact_groups(),
+                    parameters.contacts,
+                    communicator)
   {
+    for (const int group : parameters.contact_groups())
+      groups.push_back(
+        {group,
+         WallImages<dim>(parameters.lattice, parameters.walls, has_fluids(parameters, group)),
+         {},
+         {},
+         {},
+         {}});
   }
 
   template <int dim>
   void
   LatticeMotion<dim>::reinit(const int n_blocks)
   {
-    motion.reinit(n_blocks);
     if (has_smoothed_bodies)
       strain.reinit(n_blocks);
-    if (!is_filtered)
-      return;
-    unconstrained.reinit(n_blocks);
-    filtered.reinit(n_blocks);
-    taken.reinit(n_blocks);
+    for (GroupMotion<dim> &group : groups)
+      {
+        group.motion.reinit(n_blocks);
+        if (!is_filtered)
+          continue;
+        group.unconstrained.reinit(n_blocks);
+        group.filtered.reinit(n_blocks);
+        group.taken.reinit(n_blocks);
+      }
   }
 
   template <int dim>
@@ -86,13 +101,13 @@ namespace magmpm
     if (!has_smoothed_bodies)
       return;
     const BlockSet<dim> &blocks = partition.blocks();
-    for (const LameModuli &moduli : smoothed_materials(bodies))
+    for (const SmoothedMaterial &material : smoothed_materials(bodies))
       {
-        sum_strain(bodies, moduli, blocks, lattice, strain);
+        sum_strain(bodies, material, blocks, lattice, strain);
         partition.add_ghosts_to_owners(strain);
         divide_by_weight(blocks, strain);
         partition.update_ghosts(strain);
-        find_volumetric_stress(strain, moduli, blocks, lattice, bodies);
+        find_volumetric_stress(strain, material, blocks, lattice, bodies);
       }
   }
 
@@ -103,9 +118,13 @@ namespace magmpm
                                    std::vector<Body<dim>> &bodies)
   {
     smooth_volume(partition, bodies);
-    particles_to_lattice(bodies, partition.blocks(), lattice, time_step, motion);
-    images.fold_sticking(partition.blocks(), motion);
-    partition.add_ghosts_to_owners(motion);
+    for (GroupMotion<dim> &group : groups)
+      {
+        particles_to_lattice(
+          bodies, partition.blocks(), lattice, time_step, group.motion, group.group);
+        group.images.fold_sticking(partition.blocks(), group.motion);
+        partition.add_ghosts_to_owners(group.motion);
+      }
   }
 
   template <int dim>
@@ -113,23 +132,30 @@ namespace magmpm
   LatticeMotion<dim>::update_velocity(const Clock &clock,
                                       const BlockPartition<dim> &partition,
                                       const LatticeBoundary<dim> &boundary,
-                                      SolidContact<dim> &contact)
+                                      const std::vector<Body<dim>> &bodies,
+                                      std::vector<SolidContact<dim>> &contacts)
   {
+    group_contact.act(partition, bodies, clock.time_step, negligible_mass(particle_mass), groups);
     const Vector<dim> acceleration = gravity(clock.time);
-    if (images.are_chosen())
+    for (std::size_t g = 0; g < groups.size(); ++g)
       {
-        partition.update_ghosts(motion);
-        images.choose_and_fold(partition.blocks(), contact, clock.time_step * acceleration, motion);
+        GroupMotion<dim> &group = groups[g];
+        if (group.images.are_chosen())
+          {
+            partition.update_ghosts(group.motion);
+            group.images.choose_and_fold(
+              partition.blocks(), contacts[g], clock.time_step * acceleration, group.motion);
+          }
+        update_lattice_momentum(partition.blocks(),
+                                boundary,
+                                contacts[g],
+                                acceleration,
+                                clock.time_step,
+                                damping_rate,
+                                particle_mass,
+                                group.motion,
+                                group.unconstrained);
       }
-    update_lattice_momentum(partition.blocks(),
-                            boundary,
-                            contact,
-                            acceleration,
-                            clock.time_step,
-                            damping_rate,
-                            particle_mass,
-                            motion,
-                            unconstrained);
   }
 
   template <int dim>
@@ -138,30 +164,52 @@ namespace magmpm
                              const double time_step,
                              std::vector<Body<dim>> &bodies)
   {
-    copy(partition, motion);
-    if (!is_filtered)
-      return;
-    const BlockSet<dim> &blocks = partition.blocks();
-    filter_velocity(
-      bodies, std::vector<double>(bodies.size(), 1.), blocks, lattice, motion, filtered);
-    sum(partition, filtered);
-    update_filtered_velocity(blocks, particle_mass, motion, unconstrained, filtered);
-    copy(partition, filtered);
-
-    std::vector<double> shares;
-    for (const Body<dim> &body : bodies)
-      shares.push_back(share_given_back(body, lattice.spacing, time_step));
-    if (std::all_of(shares.begin(), shares.end(), [&](const double a) { return a == shares[0]; }))
-      return give_back(blocks, shares[0], motion, filtered, taken);
-    filter_velocity(bodies, shares, blocks, lattice, motion, taken);
-    sum(partition, taken);
-    give_back_by_particle(blocks, particle_mass, motion, unconstrained, taken);
-    copy(partition, taken);
+    for (GroupMotion<dim> &group : groups)
+      {
+        copy(partition, group.images, group.motion);
+        if (is_filtered)
+          filter(partition, time_step, bodies, group);
+      }
   }
 
   template <int dim>
   void
-  LatticeMotion<dim>::sum(const BlockPartition<dim> &partition, NodeField<dim> &momentum) const
+  LatticeMotion<dim>::filter(const BlockPartition<dim> &partition,
+                             const double time_step,
+                             std::vector<Body<dim>> &bodies,
+                             GroupMotion<dim> &group) const
+  {
+    const BlockSet<dim> &blocks   = partition.blocks();
+    const auto filter_with_shares = [&](const std::vector<double> &factors, NodeField<dim> &sums) {
+      filter_velocity(bodies, factors, blocks, lattice, group.motion, sums, group.group);
+      sum(partition, group.images, sums);
+    };
+    filter_with_shares(std::vector<double>(bodies.size(), 1.), group.filtered);
+    update_filtered_velocity(
+      blocks, particle_mass, group.motion, group.unconstrained, group.filtered);
+    copy(partition, group.images, group.filtered);
+
+    std::vector<double> shares, of_group;
+    for (const Body<dim> &body : bodies)
+      {
+        shares.push_back(share_given_back(body, lattice.spacing, time_step));
+        if (is_in_group(body, group.group))
+          of_group.push_back(shares.back());
+      }
+    if (std::all_of(of_group.begin(), of_group.end(), [&](const double a) {
+          return a == of_group[0];
+        }))
+      return give_back(blocks, of_group[0], group.motion, group.filtered, group.taken);
+    filter_with_shares(shares, group.taken);
+    give_back_by_particle(blocks, particle_mass, group.motion, group.unconstrained, group.taken);
+    copy(partition, group.images, group.taken);
+  }
+
+  template <int dim>
+  void
+  LatticeMotion<dim>::sum(const BlockPartition<dim> &partition,
+                          const WallImages<dim> &images,
+                          NodeField<dim> &momentum) const
   {
     images.fold_sticking(partition.blocks(), momentum);
     partition.add_ghosts_to_owners(momentum);
@@ -173,7 +221,9 @@ namespace magmpm
 
   template <int dim>
   void
-  LatticeMotion<dim>::copy(const BlockPartition<dim> &partition, NodeField<dim> &velocity) const
+  LatticeMotion<dim>::copy(const BlockPartition<dim> &partition,
+                           const WallImages<dim> &images,
+                           NodeField<dim> &velocity) const
   {
     partition.update_ghosts(velocity);
     images.unfold(partition.blocks(), velocity);
@@ -185,8 +235,20 @@ namespace magmpm
                                      const double time_step,
                                      std::vector<Body<dim>> &bodies) const
   {
-    return lattice_to_particles(
-      {motion, filtered, taken}, partition.blocks(), lattice, time_step, bodies);
+    std::vector<ParticleExtremes> extremes(bodies.size());
+    for (const GroupMotion<dim> &group : groups)
+      {
+        const auto moved = lattice_to_particles({group.motion, group.filtered, group.taken},
+                                                partition.blocks(),
+                                                lattice,
+                                                time_step,
+                                                bodies,
+                                                group.group);
+        for (std::size_t b = 0; b < bodies.size(); ++b)
+          if (is_in_group(bodies[b], group.group))
+            extremes[b] = moved[b];
+      }
+    return extremes;
   }
 
   template class LatticeMotion<2>;

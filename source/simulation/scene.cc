@@ -29,7 +29,8 @@ namespace magmpm
               parameters.gravity,
               parameters.sources,
               parameters.magnet_bodies,
-              parameters.rigid_bodies};
+              parameters.rigid_bodies,
+              parameters.contact_groups()};
     }
   } // namespace
 
@@ -54,7 +55,8 @@ namespace magmpm
     , fluids(parameters.lattice, parameters.walls.open_faces())
     , surfaces(parameters.lattice, parameters.walls)
     , forces(parameters.forces)
-    , lattice_motion(parameters)
+    , lattice_motion(parameters, communicator)
+    , welds(parameters.lattice, communicator)
   {
     for (const BodyParameters<dim> &body : parameters.bodies)
       all_bodies.emplace_back(body, parameters.material_of(body));
@@ -185,14 +187,19 @@ namespace magmpm
   Scene<dim>::update_lattice()
   {
     const Scope timed(phase_timer, "Update lattice");
-    lattice_motion.update_velocity(
-      state.clock, decomposition->partition(), holder.lattice_boundary(), holder.contact());
+    lattice_motion.update_velocity(state.clock,
+                                   decomposition->partition(),
+                                   holder.lattice_boundary(),
+                                   all_bodies,
+                                   holder.contacts());
+    if (state.clock.step == 0)
+      for (const std::string &overlap : lattice_motion.contact().find_overlaps(all_bodies))
+        state.notices.push_back({true, overlap});
     holder.collide(state.clock,
                    decomposition->partition(),
                    has_fluid(all_bodies),
                    lattice_motion.typical_mass(),
-                   lattice_motion.field(),
-                   lattice_motion.unconstrained_field());
+                   lattice_motion.by_group());
     lattice_motion.finish(decomposition->partition(), state.clock.time_step, all_bodies);
   }
 
@@ -204,6 +211,7 @@ namespace magmpm
     std::vector<ParticleExtremes> extremes =
       lattice_motion.move_particles(decomposition->partition(), state.clock.time_step, all_bodies);
     holder.hold_particles(decomposition->blocks(), parameters.walls.open_faces(), all_bodies);
+    holder.note_contact(lattice_motion.contact().energy(), lattice_motion.contact().depth());
     return extremes;
   }
 

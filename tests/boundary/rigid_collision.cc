@@ -250,7 +250,7 @@ namespace
         if (bodies[b].is_free())
           bodies[b].add_impulse((time_step * bodies[b].mass()) * accelerations[b], {});
       collision.collide(
-        blocks, boundary, no_contact, time_step, MPI_COMM_SELF, bodies, field, not_wanted);
+        blocks, boundary, time_step, MPI_COMM_SELF, {{no_contact, field, not_wanted}}, bodies);
       for (RigidBody<dim> &body : bodies)
         if (body.is_free())
           body.advance(time_step);

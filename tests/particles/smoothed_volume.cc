@@ -47,11 +47,11 @@ namespace
   smooth(const BlockSet<dim> &blocks, const Lattice<dim> &lattice, std::vector<Body<dim>> &bodies)
   {
     NodeField<dim, NodeStrain> strain(blocks.size());
-    for (const LameModuli &moduli : smoothed_materials(bodies))
+    for (const SmoothedMaterial &material : smoothed_materials(bodies))
       {
-        sum_strain(bodies, moduli, blocks, lattice, strain);
+        sum_strain(bodies, material, blocks, lattice, strain);
         divide_by_weight(blocks, strain);
-        find_volumetric_stress(strain, moduli, blocks, lattice, bodies);
+        find_volumetric_stress(strain, material, blocks, lattice, bodies);
       }
   }
 

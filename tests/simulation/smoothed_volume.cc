@@ -110,11 +110,11 @@ TEMPLATE_TEST_CASE_SIG("Smoothed volumes of a row are those of its particles",
   const BlockSet<dim> blocks    = verification::active_blocks(bodies, lattice);
   verification::sort_all(blocks, lattice, bodies);
   NodeField<dim, NodeStrain> strain(blocks.size());
-  for (const LameModuli &moduli : smoothed_materials(bodies))
+  for (const SmoothedMaterial &material : smoothed_materials(bodies))
     {
-      sum_strain(bodies, moduli, blocks, lattice, strain);
+      sum_strain(bodies, material, blocks, lattice, strain);
       divide_by_weight(blocks, strain);
-      find_volumetric_stress(strain, moduli, blocks, lattice, bodies);
+      find_volumetric_stress(strain, material, blocks, lattice, bodies);
     }
   double energy = 0.;
   for (const Body<dim> &body : bodies)

@@ -13,6 +13,15 @@
 
 namespace magmpm
 {
+  /** The solids of a contact group on the lattice, and what SolidContact found of them. */
+  template <int dim>
+  struct CollidingGroup
+  {
+    const SolidContact<dim> &contact; ///< what it gave to bodies on the ranks, they get
+    NodeField<dim> &field;            ///< {velocity [m/s], mass [kg]}
+    NodeField<dim> &unconstrained;    ///< as of update_lattice_momentum()
+  };
+
   /**
    * What free rigid bodies and solids on the lattice do to each other in a step, together with what bodies
    * and walls do to bodies: an inelastic impact, all of it at once.
@@ -50,20 +59,15 @@ namespace magmpm
      *
      * @param bodies        those that were given to the constructor, the same on all ranks.
      * @param boundary      has the last word on the nodes.
-     * @param contact       what it gave to bodies on the ranks, they get.
-     * @param field         {velocity [m/s], mass [kg]}.
-     * @param unconstrained as of update_lattice_momentum().
      * @return iterations that it took.
      */
     int
     collide(const BlockSet<dim> &blocks,
             const LatticeBoundary<dim> &boundary,
-            const SolidContact<dim> &contact,
             const double time_step,
             const MPI_Comm communicator,
-            std::vector<RigidBody<dim>> &bodies,
-            NodeField<dim> &field,
-            NodeField<dim> &unconstrained) const;
+            const std::vector<CollidingGroup<dim>> &groups,
+            std::vector<RigidBody<dim>> &bodies) const;
 
   private:
     const Lattice<dim> lattice;

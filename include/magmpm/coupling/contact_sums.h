@@ -28,11 +28,13 @@ namespace magmpm
    * e^(-s/eps), eps = 0.03 dx: a mean over what lies next to the surface, not an extreme, since the
    * force at a node must not depend on one particle that the node hardly moves.
    *
-   * @param sums  on return those of this rank's particles, also on ghosts.
+   * @param group  the contact group whose particles count.
+   * @param sums   on return those of this rank's particles, also on ghosts.
    */
   template <int dim>
   void
   sum_contact(const std::vector<Body<dim>> &bodies,
+              const int group,
               const BlockSet<dim> &blocks,
               const Lattice<dim> &lattice,
               const SolidContact<dim> &contact,

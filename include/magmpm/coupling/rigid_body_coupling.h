@@ -1,5 +1,6 @@
 #pragma once
 
+#include <magmpm/boundary/group_motion.h>
 #include <magmpm/boundary/lattice_boundary.h>
 #include <magmpm/boundary/rigid_bodies.h>
 #include <magmpm/boundary/rigid_collision.h>
@@ -31,6 +32,7 @@ namespace magmpm
     std::vector<SourceParameters<dim>> sources;
     std::vector<RigidBodyProperties<dim>> magnet_bodies; ///< of each source, if it is a rigid body
     std::vector<RigidBodyParameters<dim>> rigid_bodies;
+    std::vector<int> contact_groups; ///< of the bodies, in order
   };
 
   /** What rigid bodies and walls must remember of the particles that they hold. */
@@ -112,15 +114,15 @@ namespace magmpm
       return boundary;
     }
 
-    /** Finds where solids touch surfaces, for contact(). Collective if they may do so on any rank. */
+    /** Finds where solids touch surfaces, for contacts(). Collective if they may do so on any rank. */
     void
     find_contact(const BlockPartition<dim> &partition, const std::vector<Body<dim>> &bodies);
 
-    /** What walls that slip or separate and rigid bodies do to solids. */
-    SolidContact<dim> &
-    contact()
+    /** What walls that slip or separate and rigid bodies do to solids, by contact group. */
+    std::vector<SolidContact<dim>> &
+    contacts()
     {
-      return solid_contact;
+      return solid_contacts;
     }
 
     /**
@@ -128,16 +130,14 @@ namespace magmpm
      * Collective if there are free bodies, or fluids and bodies that these touch.
      *
      * @param typical_particle_mass  [kg]
-     * @param field                  {velocity [m/s], mass [kg]} on owned nodes.
-     * @param unconstrained          as of update_lattice_momentum().
+     * @param groups                 velocities on owned nodes, by contact group.
      */
     void
     collide(const Clock &clock,
             const BlockPartition<dim> &partition,
             const bool has_fluids,
             const double typical_particle_mass,
-            NodeField<dim> &field,
-            NodeField<dim> &unconstrained);
+            std::vector<GroupMotion<dim>> &groups);
 
     /** Moves free bodies by a step with their momenta. */
     void
@@ -151,6 +151,10 @@ namespace magmpm
     hold_particles(const BlockSet<dim> &blocks,
                    const OpenFaces<dim> &open,
                    std::vector<Body<dim>> &bodies);
+
+    /** Adds contact between bodies, on this rank, to that with walls. @param energy, depth  [J], [m] */
+    void
+    note_contact(const double energy, const double depth);
 
     /** The longest way that hold_particles() put a particle of any rank, or more [m]; known after take_reduced(). */
     double
@@ -224,7 +228,7 @@ namespace magmpm
 
     RigidBodies<dim> rigid_bodies;
     const LatticeBoundary<dim> boundary;
-    SolidContact<dim> solid_contact;
+    std::vector<SolidContact<dim>> solid_contacts; ///< by contact group
     const RigidCollision<dim> collision;
     mutable MagnetForces<dim> magnet_forces; ///< remembers what sources do to each other
     std::vector<ForceAndTorque<dim>> forces_of_row;

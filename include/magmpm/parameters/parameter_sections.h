@@ -1,6 +1,7 @@
 #pragma once
 
 #include <magmpm/parameters/box_section.h>
+#include <magmpm/parameters/contact_section.h>
 #include <magmpm/parameters/magnet_section.h>
 #include <magmpm/parameters/material_section.h>
 #include <magmpm/parameters/motion_input.h>
@@ -23,14 +24,16 @@ namespace magmpm
     double temperature = 300.; ///< of the grains [K]
     BoxInput<dim> box;
     NamedShapes<dim> shapes;
-    std::vector<std::string> body_names, material_names, magnet_names, rigid_body_names;
+    std::vector<std::string> body_names, material_names, magnet_names, rigid_body_names,
+      contact_names;
     std::vector<MaterialInput> materials;        ///< in the order of material_names
     std::vector<MagnetInput<dim>> magnets;       ///< in the order of magnet_names
     std::vector<MotionInput> rigid_body_motions; ///< in the order of rigid_body_names
+    std::vector<ContactInput> contacts;          ///< in the order of contact_names
   };
 
   /**
-   * Declares all parameters of a scene with the shapes, bodies, materials, magnets and rigid bodies named in @p input, and
+   * Declares all parameters of a scene with the shapes, bodies, materials, magnets, rigid bodies and contacts named in @p input, and
    * binds them to @p input and @p parameters, whose lists get their length here.
    */
   template <int dim>

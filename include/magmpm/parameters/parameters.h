@@ -1,5 +1,6 @@
 #pragma once
 
+#include <magmpm/boundary/group_contact_parameters.h>
 #include <magmpm/boundary/rigid_body_parameters.h>
 #include <magmpm/boundary/wall_parameters.h>
 #include <magmpm/coupling/body_forces.h>
@@ -36,6 +37,7 @@ namespace magmpm
     std::vector<SourceParameters<dim>> sources;
     std::vector<RigidBodyProperties<dim>> magnet_bodies; ///< of each source, if it is a rigid body
     std::vector<RigidBodyParameters<dim>> rigid_bodies;
+    std::vector<GroupContactParameters> contacts;
 
     BodyForceParameters<dim> forces;
     WallParameters<dim> walls;
@@ -57,6 +59,10 @@ namespace magmpm
     /** The material of a body. */
     const MaterialParameters &
     material_of(const BodyParameters<dim> &body) const;
+
+    /** The contact groups of the bodies, each once, from the lowest on. */
+    std::vector<int>
+    contact_groups() const;
   };
 
   /** Dimension of the scene in @p file: 2 or 3. @throw InputError if it is none of these. */

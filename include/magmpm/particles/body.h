@@ -30,6 +30,7 @@ namespace magmpm
     MagneticParameters magnetic;
     Transfer transfer;
     double surface_tension; ///< [N/m], of fluids; 0: none
+    int contact_group;
     ParticleSet<dim> particles;
 
     /** Particles of the block in slot s, an owned one: run_begin[s] to run_begin[s + 1]. */
@@ -41,5 +42,15 @@ namespace magmpm
   is_fluid(const Body<dim> &body)
   {
     return std::holds_alternative<ViscoelasticFluid<dim>>(body.material);
+  }
+
+  /** Stands for bodies of all contact groups. */
+  inline constexpr int every_group = -1;
+
+  template <int dim>
+  inline bool
+  is_in_group(const Body<dim> &body, const int group)
+  {
+    return group == every_group || body.contact_group == group;
   }
 } // namespace magmpm

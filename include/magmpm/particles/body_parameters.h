@@ -36,6 +36,9 @@ namespace magmpm
 
     InitialState initial_state = InitialState::undeformed;
 
+    /** Bodies of one group are one piece where they meet, those of different ones touch and part. */
+    int contact_group = 0;
+
     Vector<dim> velocity; ///< at the start [m/s]
     Vector<n_axial_components<dim>>
       angular_velocity; ///< spin at the start, about the centre of mass [rad/s]

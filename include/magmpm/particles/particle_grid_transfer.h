@@ -42,6 +42,7 @@ namespace magmpm
    * The stress of a nearly incompressible solid has the volumetric part that smoothed_volume.h found last.
    *
    * @param field  on return the sums over this rank's particles, also on ghosts.
+   * @param group  the contact group whose particles count.
    */
   template <int dim>
   void
@@ -49,7 +50,8 @@ namespace magmpm
                        const BlockSet<dim> &blocks,
                        const Lattice<dim> &lattice,
                        const double time_step,
-                       NodeField<dim> &field);
+                       NodeField<dim> &field,
+                       const int group = every_group);
 
   /** The velocities of the lattice at the end of a step, ghosts up to date. */
   template <int dim>
@@ -68,7 +70,8 @@ namespace magmpm
    * so by v, and a fluid by what it takes. A solid deforms with the gradient of the lattice's field, a fluid
    * with C.
    *
-   * @return extremes over this rank's particles after the step, one per body.
+   * @param group  the contact group whose particles move.
+   * @return extremes over this rank's particles after the step, one per body; zero for those of other groups.
    */
   template <int dim>
   std::vector<ParticleExtremes>
@@ -76,5 +79,6 @@ namespace magmpm
                        const BlockSet<dim> &blocks,
                        const Lattice<dim> &lattice,
                        const double time_step,
-                       std::vector<Body<dim>> &bodies);
+                       std::vector<Body<dim>> &bodies,
+                       const int group = every_group);
 } // namespace magmpm

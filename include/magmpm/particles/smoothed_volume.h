@@ -50,13 +50,20 @@ namespace magmpm
     }
   };
 
+  /** Bodies that are smoothed together. */
+  struct SmoothedMaterial
+  {
+    LameModuli moduli;
+    int contact_group;
+  };
+
   /**
-   * The moduli of nearly incompressible solids, each once. Bodies with the same moduli are smoothed together,
+   * The nearly incompressible solids. Bodies with the same moduli in the same contact group are smoothed together,
    * as pieces of one; of different ones each apart, since they share the pressure across their
    * interface but not the strain.
    */
   template <int dim>
-  std::vector<LameModuli>
+  std::vector<SmoothedMaterial>
   smoothed_materials(const std::vector<Body<dim>> &bodies);
 
   /**
@@ -67,7 +74,7 @@ namespace magmpm
   template <int dim>
   void
   sum_strain(std::vector<Body<dim>> &bodies,
-             const LameModuli &moduli,
+             const SmoothedMaterial &material,
              const BlockSet<dim> &blocks,
              const Lattice<dim> &lattice,
              NodeField<dim, NodeStrain> &field);
@@ -85,7 +92,7 @@ namespace magmpm
   template <int dim>
   void
   find_volumetric_stress(const NodeField<dim, NodeStrain> &field,
-                         const LameModuli &moduli,
+                         const SmoothedMaterial &material,
                          const BlockSet<dim> &blocks,
                          const Lattice<dim> &lattice,
                          std::vector<Body<dim>> &bodies);

@@ -30,6 +30,7 @@ namespace magmpm
    * @param factors   of the masses, by body.
    * @param velocity  v, ghosts up to date.
    * @param sums      on return the sums over this rank's particles, also on ghosts: momentum as above, and mass.
+   * @param group     the contact group whose particles count.
    */
   template <int dim>
   void
@@ -38,5 +39,6 @@ namespace magmpm
                   const BlockSet<dim> &blocks,
                   const Lattice<dim> &lattice,
                   const NodeField<dim> &velocity,
-                  NodeField<dim> &sums);
+                  NodeField<dim> &sums,
+                  const int group = every_group);
 } // namespace magmpm

@@ -1,8 +1,9 @@
 #pragma once
 
+#include <magmpm/boundary/group_motion.h>
 #include <magmpm/boundary/lattice_boundary.h>
-#include <magmpm/boundary/wall_images.h>
 #include <magmpm/coupling/clock.h>
+#include <magmpm/coupling/group_contact.h>
 #include <magmpm/lattice/node_field.h>
 #include <magmpm/mesh/block_partition.h>
 #include <magmpm/parameters/parameters.h>
@@ -15,13 +16,13 @@ namespace magmpm
 {
   /**
    * Momentum and velocity on the lattice in a step, from the particles and back to them, with images behind
-   * walls, see WallImages.
+   * walls, see WallImages. Bodies of each contact group have a lattice of their own.
    */
   template <int dim>
   class LatticeMotion
   {
   public:
-    explicit LatticeMotion(const Parameters<dim> &parameters);
+    LatticeMotion(const Parameters<dim> &parameters, const MPI_Comm communicator);
 
     /** Makes room for new blocks. */
     void
@@ -48,27 +49,28 @@ namespace magmpm
                  std::vector<Body<dim>> &bodies);
 
     /**
-     * Eqs. (33), (34): velocities, as gravity, damping, walls and scripted bodies leave them, on owned nodes.
-     * Collective.
+     * Eqs. (33), (34): velocities, as contact between groups, gravity, damping, walls and scripted bodies leave
+     * them, on owned nodes. Collective.
      */
     void
     update_velocity(const Clock &clock,
                     const BlockPartition<dim> &partition,
                     const LatticeBoundary<dim> &boundary,
-                    SolidContact<dim> &contact);
+                    const std::vector<Body<dim>> &bodies,
+                    std::vector<SolidContact<dim>> &contacts);
 
-    /** {velocity [m/s], mass [kg]}. */
-    NodeField<dim> &
-    field()
+    /** Between groups, in the last step. */
+    const GroupContact<dim> &
+    contact() const
     {
-      return motion;
+      return group_contact;
     }
 
-    /** See update_lattice_momentum(); without blocks if nobody wants it. */
-    NodeField<dim> &
-    unconstrained_field()
+    /** What is on the lattice, by contact group from the lowest on. */
+    std::vector<GroupMotion<dim>> &
+    by_group()
     {
-      return unconstrained;
+      return groups;
     }
 
     /** A node whose mass is next to nothing beside this one is left alone [kg]. */
@@ -91,13 +93,24 @@ namespace magmpm
                    std::vector<Body<dim>> &bodies) const;
 
   private:
+    /** Filters the velocity of a group, if any body wants that. */
+    void
+    filter(const BlockPartition<dim> &partition,
+           const double time_step,
+           std::vector<Body<dim>> &bodies,
+           GroupMotion<dim> &group) const;
+
     /** Adds ghosts to their owners, with the images behind walls once these are chosen. */
     void
-    sum(const BlockPartition<dim> &partition, NodeField<dim> &momentum) const;
+    sum(const BlockPartition<dim> &partition,
+        const WallImages<dim> &images,
+        NodeField<dim> &momentum) const;
 
     /** The other way. */
     void
-    copy(const BlockPartition<dim> &partition, NodeField<dim> &velocity) const;
+    copy(const BlockPartition<dim> &partition,
+         const WallImages<dim> &images,
+         NodeField<dim> &velocity) const;
 
     const Lattice<dim> lattice;
     const TimeFunction<Vector<dim>> gravity;
@@ -106,12 +119,8 @@ namespace magmpm
     const bool is_filtered; ///< whether any body wants P v
     const bool has_smoothed_bodies;
 
-    WallImages<dim> images;
-
-    NodeField<dim> motion;
-    NodeField<dim> unconstrained; ///< velocities without walls and bodies; used if is_filtered
-    NodeField<dim> filtered;      ///< P v, likewise
-    NodeField<dim> taken;         ///< v and what FMPM gives back, likewise
+    std::vector<GroupMotion<dim>> groups;
+    GroupContact<dim> group_contact;
 
     NodeField<dim, NodeStrain> strain; ///< used if has_smoothed_bodies
   };
