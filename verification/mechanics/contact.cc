@@ -1,4 +1,5 @@
 #include <verification/mechanics/contact.h>
+#include <verification/program/particle_frame.h>
 #include <verification/program/program_run.h>
 #include <verification/program/statistics.h>
 
@@ -39,20 +40,38 @@ namespace magmpm::verification
     }
 
     std::string
-    block(const std::string &lower, const std::string &upper, const std::string &velocity)
+    block(const std::string &lower,
+          const std::string &upper,
+          const std::string &velocity,
+          const std::string &slab = "")
     {
-      return "subsection Bodies\n  set List of bodies = block\n  subsection block\n"
-             "    set Material = elastomer\n    set Density = " +
+      return "subsection Bodies\n  set List of bodies = block" +
+             std::string(slab.empty() ? "" : ", slab") +
+             "\n  subsection block\n    set Material = elastomer\n    set Density = " +
              as_text(density) + "\n" + box(lower, upper) + "    set Velocity = " + velocity +
-             "\n  end\nend\nsubsection Materials\n  set List of materials = elastomer\n"
+             "\n  end\n" + slab +
+             "end\nsubsection Materials\n  set List of materials = elastomer\n"
              "  subsection elastomer\n    set Young's modulus = " +
              as_text(modulus) + "\n    set Poisson ratio = " + as_text(poisson_ratio) +
              "\n  end\nend\n";
     }
 
+    /** The subsection of an elastic slab that sticks to the wall below, in contact group 1. */
+    std::string
+    slab(const int dim, const double height)
+    {
+      return "  subsection slab\n    set Material = elastomer\n    set Density = " +
+             as_text(density) + "\n    set Contact group = 1\n" +
+             box(point(dim, 0.5, 0., 0.), point(dim, 7.5, 2., height)) + "  end\n";
+    }
+
     std::string
     ground(const int dim, const Ground kind, const double height, const double friction)
     {
+      if (kind == Ground::slab)
+        return "subsection Contacts\n  set List of contacts = sliding\n  subsection sliding\n"
+               "    set Groups = 0, 1\n    set Friction = " +
+               as_text(friction) + "\n  end\nend\n";
       if (kind == Ground::wall)
         return "subsection Walls\n  set Lower " + upward(dim) + " = separate\n  set Lower " +
                upward(dim) + " friction = " + as_text(friction) + "\nend\n";
@@ -63,12 +82,14 @@ namespace magmpm::verification
     }
 
     std::string
-    run_for(const double end_time, const int rows_every)
+    run_for(const double end_time, const int rows_every, const bool writes_halfway = false)
     {
       return "set End time = " + as_text(end_time) +
-             "\nsubsection Output\n  set Frame interval = " + as_text(end_time) +
-             "\n  set Particles = false\n  set Statistics every = " + std::to_string(rows_every) +
-             "\nend\n";
+             "\nsubsection Output\n  set Frame interval = " +
+             as_text(writes_halfway ? 0.5 * end_time : end_time) +
+             "\n  set Particles = " + (writes_halfway ? "true" : "false") +
+             "\n  set Particle quantities = body\n  set Statistics every = " +
+             std::to_string(rows_every) + "\nend\n";
     }
 
     /** The columns of the energies, added up. */
@@ -81,6 +102,26 @@ namespace magmpm::verification
           for (std::size_t row = 0; row < total.size(); ++row)
             total[row] += statistics[heading][row];
       return total;
+    }
+    /** Where the centre of the first body is along x in each frame; its particles are all alike. */
+    std::vector<double>
+    places_of_first_body(const std::string &folder)
+    {
+      std::vector<double> places;
+      for (const ParticleFrame &frame : particle_frames(folder))
+        {
+          const auto &bodies = frame.quantities.at("body [-]");
+          double sum         = 0.;
+          int n              = 0;
+          for (std::size_t p = 0; p < frame.size(); ++p)
+            if (bodies[p][0] == 0.)
+              {
+                sum += frame.positions[p][0];
+                ++n;
+              }
+          places.push_back(sum / n);
+        }
+      return places;
     }
   } // namespace
 
@@ -134,16 +175,14 @@ namespace magmpm::verification
       "\nend\nsubsection Rest\n  set Damping rate = " + as_text(incline.damping_rate) + "\nend\n" +
       block(point(dim, 1. + off, 0.5 + off, floor),
             point(dim, 2. + off, 1.5 + off, floor + 0.5),
-            point(dim, 0., 0., 0.)) +
-      ground(dim, incline.ground, floor, incline.friction) + run_for(end, 20);
-    const Statistics statistics(run_scene("incline", scene));
-
-    const auto &times  = statistics["time [s]"];
-    const auto &places = statistics["centre of mass x [m]"];
-    const auto half    = std::lower_bound(times.begin(), times.end(), 0.5 * end) - times.begin();
-    const double way   = 0.5 * gravity * (std::sin(angle) - incline.friction * std::cos(angle)) *
+            point(dim, 0., 0., 0.),
+            incline.ground == Ground::slab ? slab(dim, floor) : "") +
+      ground(dim, incline.ground, floor, incline.friction) + run_for(end, 20, true);
+    // At the start, halfway and at the end.
+    const std::vector<double> places = places_of_first_body(run_scene("incline", scene));
+    const double way = 0.5 * gravity * (std::sin(angle) - incline.friction * std::cos(angle)) *
                        end * end;
-    return {(places.back() - places.front()) / way - 1., (places.back() - places[half]) / dx};
+    return {(places.back() - places.front()) / way - 1., (places.back() - places[1]) / dx};
   }
 
   double

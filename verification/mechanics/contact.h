@@ -2,11 +2,12 @@
 
 namespace magmpm::verification
 {
-  /** What stands below: a wall of the box, or a rigid body that does not move. */
+  /** What stands below: a wall of the box, a rigid body that does not move, or an elastic slab on a wall. */
   enum class Ground
   {
     wall,
-    body
+    body,
+    slab ///< of an incline, of the block's material, in a contact group of its own
   };
 
   /**
