@@ -17,6 +17,9 @@ namespace magmpm
     /** How sharp the mean of the ways is: blunter makes blocks at rest creep, sharper makes balls gain energy. */
     constexpr double sharpness_of_mean = 0.1; // dx
 
+    /** How far beside a node particles count, so that it has the gap where it is, not the least in its reach. */
+    constexpr double width_of_mean = 0.35; // dx
+
     /** The nodes that particles of a block reach, and which of them are shared. */
     template <int dim>
     class SharedStencils
@@ -212,10 +215,14 @@ namespace magmpm
         const Vector<dim> to_node = stencils.position(i) - position;
         for (int k = 0; k < n_contact_normals; ++k)
           {
-            const Vector<dim> normal = outward * normals[i][k];
-            const double way         = dot(to_node, normal) - extent.reach(normal);
-            const double share       = weight * extent.facing(-1. * normal) *
-                                 std::exp(-way / (sharpness_of_mean * spacing));
+            const Vector<dim> normal     = outward * normals[i][k];
+            const double along           = dot(to_node, normal);
+            const double square_of_aside = dot(to_node, to_node) - along * along;
+            const double way             = along - extent.reach(normal);
+            const double share =
+              weight * extent.facing(-1. * normal) *
+              std::exp(-way / (sharpness_of_mean * spacing) -
+                       0.5 * square_of_aside / std::pow(width_of_mean * spacing, 2));
             gaps.add(SharedNodeGaps::weight(side, k), at.slot, at.number, share);
             gaps.add(SharedNodeGaps::weighted_way(side, k), at.slot, at.number, share * way);
           }

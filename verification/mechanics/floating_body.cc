@@ -62,7 +62,10 @@ namespace magmpm::verification
                   "set Frame interval = 0.05\nend\n";
       if (body.kind == FloaterKind::elastic)
         text.add_solid("rubber", "2e5")
-          .add_body("block", "rubber", as_text(body.density), shape_of(body));
+          .add_body("block",
+                    "rubber",
+                    as_text(body.density),
+                    shape_of(body) + "set Contact group = " + std::to_string(body.group) + "\n");
       else
         text.rest += "subsection Rigid bodies\nset List of rigid bodies = float\nsubsection float\n"
                      "set Contact = slip\nset Density = " +
@@ -97,7 +100,8 @@ namespace magmpm::verification
   {
     const std::string name = std::string("floating-") + std::to_string(body.dim) +
                              (body.kind == FloaterKind::elastic ? "-elastic" : "") +
-                             (body.is_round ? "-round-" : "-square-") + as_text(body.density);
+                             (body.is_round ? "-round-" : "-square-") + as_text(body.density) +
+                             (body.group == 0 ? "" : "-group" + std::to_string(body.group));
     const std::string folder = run_scene(name, scene(body));
     std::vector<double> heights;
     double turn = 0.;

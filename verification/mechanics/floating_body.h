@@ -20,6 +20,7 @@ namespace magmpm::verification
     FloaterKind kind = FloaterKind::rigid;
     bool is_round    = true;
     double density   = 500.; ///< of the fluid it is 1000 [kg/m^3]
+    int group        = 0;    ///< contact group of an elastic one; the fluid is in 0
   };
 
   /** Of the last quarter of the time; lengths in dx. */

@@ -103,8 +103,9 @@ namespace magmpm
    * Adds the gaps of a group. The way of a particle of a to the node at x_i along the direction n is
    *   s = (x_i - x_p).n - sum_k |n . F H e_k|,
    * of one of b with -n; the gap is the sum of the means of both sides, with weights
-   *   w = N_i S_p exp(-s/(0.1 dx)),
-   * and the surface S_p of the particle that looks along n; see ContactSums. Particles of fluids, which have no
+   *   w = N_i S_p exp(-s/(0.1 dx) - y^2/(2 (0.35 dx)^2)),
+   * the surface S_p of the particle that looks along n and its distance y from the line through the node along n:
+   * beside a contact of curved surfaces the gap is not that of their nearest places. Particles of fluids, which have no
    * faces, count as cubes that lie along the lattice.
    *
    * @param material  sums of all ranks, ghosts up to date.
