@@ -14,8 +14,13 @@ namespace magmpm
 {
   namespace
   {
-    /** How sharp the mean of the ways is: blunter makes blocks at rest creep, sharper makes balls gain energy. */
-    constexpr double sharpness_of_mean = 0.1; // dx
+    /**
+     * How sharp the mean of the ways is, in dx. Of solids, whose particles lie still beside one another: blunter makes
+     * blocks at rest creep, sharper makes balls gain energy. Those of fluids are noise, and the deepest no surface:
+     * with 0.2 a block is thrown out of the pool that it floats in.
+     */
+    constexpr double sharpness_in_solids = 0.1;
+    constexpr double sharpness_in_fluids = 0.5;
 
     /** How far beside a node particles count, so that it has the gap where it is, not the least in its reach. */
     constexpr double width_of_mean = 0.35; // dx
@@ -166,6 +171,13 @@ namespace magmpm
       const double edge; ///< [m]
     };
 
+    template <int dim>
+    bool
+    is_fluid(const Body<dim> &body)
+    {
+      return std::holds_alternative<ViscoelasticFluid<dim>>(body.material);
+    }
+
     /** J of a particle. */
     template <int dim>
     double
@@ -173,7 +185,7 @@ namespace magmpm
                  const ParticleArrays<dim, const double> &particles,
                  const std::size_t p)
     {
-      if (std::holds_alternative<ViscoelasticFluid<dim>>(body.material))
+      if (is_fluid(body))
         return particles.deformation[0][p];
       return determinant(load_matrix<dim>(particles.deformation, p));
     }
@@ -204,6 +216,7 @@ namespace magmpm
     add_ways(const Vector<dim> &position,
              const Extent &extent,
              const int side,
+             const double sharpness,
              const double spacing,
              const SharedStencils<dim> &stencils,
              const WindowNormals<dim> &normals,
@@ -221,7 +234,7 @@ namespace magmpm
             const double way             = along - extent.reach(normal);
             const double share =
               weight * extent.facing(-1. * normal) *
-              std::exp(-way / (sharpness_of_mean * spacing) -
+              std::exp(-way / (sharpness * spacing) -
                        0.5 * square_of_aside / std::pow(width_of_mean * spacing, 2));
             gaps.add(SharedNodeGaps::weight(side, k), at.slot, at.number, share);
             gaps.add(SharedNodeGaps::weighted_way(side, k), at.slot, at.number, share * way);
@@ -258,7 +271,12 @@ namespace magmpm
             body.particles.position(p),
             [&](const int i, const double weight, const Vector<dim> &gradient) {
               const LatticeNode at = stencils.node(i);
-              material.add(Sums::volume_gradient(side), at.slot, at.number, volume * gradient);
+              material.add(Sums::volume_gradient(side),
+                           at.slot,
+                           at.number,
+                           is_fluid(body) ? (4. * volume * weight / std::pow(lattice.spacing, 2)) *
+                                              (stencils.position(i) - body.particles.position(p))
+                                          : volume * gradient);
               material.add(Sums::mass(side), at.slot, at.number, weight * mass);
               material.add(Sums::volume(side), at.slot, at.number, weight * volume);
               material.add(Sums::stiffness(side), at.slot, at.number, weight * stiffness);
@@ -286,16 +304,26 @@ namespace magmpm
                          const SharedStencils<dim> &stencils) {
       const ParticleArrays<dim, const double> particles = body.particles.arrays();
       find_normals(stencils, material, normals);
-      const auto add_ways_of = [&](const std::size_t p, const auto &extent) {
-        add_ways(
-          body.particles.position(p), extent, side, lattice.spacing, stencils, normals, gaps);
-      };
+      const auto add_ways_of =
+        [&](const std::size_t p, const auto &extent, const double sharpness) {
+          add_ways(body.particles.position(p),
+                   extent,
+                   side,
+                   sharpness,
+                   lattice.spacing,
+                   stencils,
+                   normals,
+                   gaps);
+        };
       for (std::size_t p = begin; p < end; ++p)
-        if (std::holds_alternative<ViscoelasticFluid<dim>>(body.material))
-          add_ways_of(p, FluidExtent<dim>(particles.volume[p] * volume_ratio(body, particles, p)));
+        if (is_fluid(body))
+          add_ways_of(p,
+                      FluidExtent<dim>(particles.volume[p] * volume_ratio(body, particles, p)),
+                      sharpness_in_fluids);
         else
-          add_ways_of(
-            p, DeformedExtent<dim>(particles, load_matrix<dim>(particles.deformation, p), p));
+          add_ways_of(p,
+                      DeformedExtent<dim>(particles, load_matrix<dim>(particles.deformation, p), p),
+                      sharpness_in_solids);
     };
     for_runs_near(bodies, group, blocks, lattice, shared, add);
   }
