@@ -137,22 +137,13 @@ namespace magmpm
   }
 
   template <int dim>
-  SharedMaterial<dim>
-  GroupContact<dim>::material_of(const int side, const int slot, const int n) const
-  {
-    return {material.get(SharedNodeMaterial::mass(side), slot, n),
-            material.get(SharedNodeMaterial::stiffness(side), slot, n) /
-              material.get(SharedNodeMaterial::volume(side), slot, n),
-            material.get(SharedNodeMaterial::volume_gradient(side), slot, n)};
-  }
-
-  template <int dim>
   bool
   GroupContact<dim>::find_surface(const int slot, const int n, SharedSurface<dim> &surface) const
   {
-    const SharedMaterial<dim> a = material_of(0, slot, n), b = material_of(1, slot, n);
-    const auto normals = contact_normals(a.volume_gradient, b.volume_gradient);
-    const auto way     = [&](const int side, const int k) {
+    const SharedMaterial<dim> a = material_at(material, 0, slot, n);
+    const SharedMaterial<dim> b = material_at(material, 1, slot, n);
+    const auto normals          = contact_normals(a, b);
+    const auto way              = [&](const int side, const int k) {
       return gaps.get(SharedNodeGaps::weighted_way(side, k), slot, n) /
              gaps.get(SharedNodeGaps::weight(side, k), slot, n);
     };

@@ -1,4 +1,3 @@
-#include <magmpm/boundary/group_contact_law.h>
 #include <magmpm/coupling/shared_node_sums.h>
 #include <magmpm/lattice/arena.h>
 #include <magmpm/lattice/bspline.h>
@@ -204,9 +203,8 @@ namespace magmpm
       for (int i = 0; i < SharedStencils<dim>::Window::n_nodes; ++i)
         {
           const LatticeNode at = stencils.node(i);
-          normals[i]           = contact_normals(
-            material.get(SharedNodeMaterial::volume_gradient(0), at.slot, at.number),
-            material.get(SharedNodeMaterial::volume_gradient(1), at.slot, at.number));
+          normals[i]           = contact_normals(material_at(material, 0, at.slot, at.number),
+                                       material_at(material, 1, at.slot, at.number));
         }
     }
 

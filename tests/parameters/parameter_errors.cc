@@ -728,4 +728,63 @@ TEST_CASE("Surface tension and contact angles are checked", "[parameters]")
     Catch::Contains("Walls/Lower x contact angle = 40: it needs 'Lower x' = slip or separate"));
   CHECK_THAT(message_with("Walls/Lower z contact angle=181", fluid),
              Catch::Contains("a number from 0 to 180"));
+namespace
+{
+  /** The valid scene with a second cube on top of the first, in contact group 1, and contacts. */
+  std::string
+  with_two_groups(const std::string &contacts)
+  {
+    std::string text = valid_text;
+    text.replace(text.find("List of bodies = cube"), 21, "List of bodies = cube, lid");
+    const std::string before = "end\nsubsection Materials";
+    text.insert(text.find(before),
+                "  subsection lid\n    set Material = clay\n    set Density = 1000\n"
+                "    set Contact group = 1\n    set Lower corner = 0.25, 0.25, 0.75\n"
+                "    set Upper corner = 0.75, 0.75, 0.875\n  end\n");
+    return text + contacts;
+  }
+
+  std::string
+  contact(const std::string &name, const std::string &lines)
+  {
+    return "  subsection " + name + "\n" + lines + "  end\n";
+  }
+} // namespace
+
+TEST_CASE("a contact between groups that is not what it should be", "[parameters]")
+{
+  // The scene is valid with and without a contact; each fault on its own is named with what is allowed.
+  const auto contacts = [](const std::string &list, const std::string &lines) {
+    return message_on(with_two_groups("subsection Contacts\n  set List of contacts = " + list +
+                                      "\n" + lines + "end\n"));
+  };
+  CHECK(message_on(with_two_groups("")) == "");
+  CHECK(contacts(
+          "a", contact("a", "set Groups = 1, 0\nset Condition = slip\nset Friction = 1\n")) == "");
+  CHECK_THAT(contacts("a", contact("a", "set Condition = slip\n")),
+             Catch::Contains("Contacts/a/Groups"));
+  CHECK_THAT(contacts("a", contact("a", "set Groups = 0, 0\n")),
+             Catch::Contains("the two are the same: bodies of one group stick together. Name two "
+                             "groups."));
+  CHECK_THAT(contacts("a", contact("a", "set Groups = 0, 0.5\n")),
+             Catch::Contains("groups are whole numbers from 0 on"));
+  CHECK_THAT(contacts("a, b",
+                      contact("a", "set Groups = 0, 1\n") + contact("b", "set Groups = 1, 0\n")),
+             Catch::Contains("Contacts/b/Groups = 1, 0: the contact 'a' is about the same two "
+                             "groups. Leave one of them out."));
+  CHECK_THAT(contacts("a", contact("a", "set Groups = 0, 1\nset Condition = weld\n")),
+             Catch::Contains("must be one of: stick, slip, separate"));
+}
+
+TEST_CASE("fluids are in contact group 0", "[parameters]")
+{
+  // They flow around bodies of other groups; the message names the body and its material.
+  CHECK_THAT(message_on(with_two_groups(""),
+                        {"Materials/clay/Mechanical law=viscoelastic fluid",
+                         "Materials/clay/Bulk modulus=1e5",
+                         "Materials/clay/Viscosity=1"}),
+             Catch::Contains(
+               "Bodies/lid/Contact group = 1: the material 'clay' is a fluid, and fluids "
+               "are in group 0. Leave it at 0; give what they are to slip along "
+               "another group."));
 }

@@ -38,6 +38,7 @@ subsection Bodies
     set Density  = 1000
     set Velocity = 0.5, -1
     set Angular velocity = 10
+    set Contact group = 1
   end
   subsection drop
     set Material = water

@@ -11,6 +11,7 @@ namespace magmpm
   struct SharedMaterial
   {
     double mass;                 ///< [kg]
+    double volume;               ///< V = sum_p J V_0 N_i [m^dim]
     double modulus;              ///< M = lambda + 2 mu; of a fluid K [Pa]
     Vector<dim> volume_gradient; ///< g = sum_p J V_0 grad N_i, outward [m^(dim-1)]
   };
@@ -19,16 +20,20 @@ namespace magmpm
   inline constexpr int n_contact_normals = 3;
 
   /**
-   * From a to b: out of a, into b, and the mean of both. At edges one of them is wrong: the surface that is
-   * cut off tilts its gradient. The bodies do not overlap if there is a direction along which they do not, so
-   * that with the largest gap is the right one. Zero where there is no gradient.
+   * From a to b: out of a, into b, and along V_b g_a - V_a g_b, the gradient of a's part of all material. At edges some
+   * of them are wrong, since a surface that ends tilts its gradient: beside the edge of a block on a wider one that of
+   * the wider is right, where the sides of both are in one plane the third, in which these cancel. The bodies do not
+   * overlap if there is a direction along which they do not, so that with the largest gap is the right one. Zero where
+   * there is no gradient.
    */
   template <int dim>
   inline std::array<Vector<dim>, n_contact_normals>
-  contact_normals(const Vector<dim> &gradient_a, const Vector<dim> &gradient_b)
+  contact_normals(const SharedMaterial<dim> &a, const SharedMaterial<dim> &b)
   {
-    std::array<Vector<dim>, n_contact_normals> normals = {
-      gradient_a, -1. * gradient_b, gradient_a - gradient_b};
+    std::array<Vector<dim>, n_contact_normals> normals = {a.volume_gradient,
+                                                          -1. * b.volume_gradient,
+                                                          b.volume * a.volume_gradient -
+                                                            a.volume * b.volume_gradient};
     for (Vector<dim> &normal : normals)
       {
         const double length = norm(normal);

@@ -91,9 +91,6 @@ namespace magmpm
           NodeField<dim> &a,
           NodeField<dim> &b);
 
-    SharedMaterial<dim>
-    material_of(const int side, const int slot, const int n) const;
-
     /** The direction with the largest gap, and what is known of the contact along it but its mass; false if none is. */
     bool
     find_surface(const int slot, const int n, SharedSurface<dim> &surface) const;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <magmpm/boundary/group_contact_law.h>
 #include <magmpm/lattice/block_set.h>
 #include <magmpm/lattice/node_field.h>
 #include <magmpm/particles/body.h>
@@ -53,6 +54,21 @@ namespace magmpm
         }
     }
   };
+
+  /** What a side has at a node. */
+  template <int dim>
+  inline SharedMaterial<dim>
+  material_at(const NodeField<dim, SharedNodeMaterial> &field,
+              const int side,
+              const int slot,
+              const int node)
+  {
+    const double volume = field.get(SharedNodeMaterial::volume(side), slot, node);
+    return {field.get(SharedNodeMaterial::mass(side), slot, node),
+            volume,
+            field.get(SharedNodeMaterial::stiffness(side), slot, node) / volume,
+            field.get(SharedNodeMaterial::volume_gradient(side), slot, node)};
+  }
 
   /** Of each side along each direction, sums of weights and of weights times the way to the node. */
   struct SharedNodeGaps
