@@ -145,8 +145,15 @@ namespace
         "float, disc, density " + to_text(density / 1000.), {2, rigid, true, density}, 0.2));
     cases.push_back(floating("float, box, density 0.25", {2, rigid, false, 250.}, 0.2));
     cases.push_back(floating("float, box, density 0.5", {2, rigid, false, 500.}, 0.4));
+    constexpr auto elastic = FloaterKind::elastic;
+    cases.push_back(floating("float, elastic block, density 0.5", {2, elastic, false, 500.}, 0.3));
+    for (const double density : {250., 500., 750.})
+      cases.push_back(
+        floating("float, elastic block in group 1, density " + to_text(density / 1000.),
+                 {2, elastic, false, density, 1},
+                 0.3));
     cases.push_back(
-      floating("float, elastic block, density 0.5", {2, FloaterKind::elastic, false, 500.}, 0.3));
+      floating("float, elastic disc in group 1, density 0.5", {2, elastic, true, 500., 1}, 0.3));
     cases.push_back(floating("float 3D, ball, density 0.5", {3, rigid, true, 500.}, 0.3));
     cases.push_back(floating("float 3D, box, density 0.5", {3, rigid, false, 500.}, 0.3));
   }

@@ -201,9 +201,9 @@ namespace
 
 TEST_CASE("What bodies of different groups lose others get", "[simulation]")
 {
-  // As above, with three groups that meet each other and a free ball: momentum of all to rounding, angular momentum to
-  // what the transfer changes of it, and no energy is gained. The bodies are those that were given, not welded: with
-  // separate they end with velocities of their own.
+  // As above, with three groups that meet each other and a free ball: momentum of all to what nodes of negligible mass
+  // drop (1e-15 without, update_lattice_momentum()), angular momentum to what the transfer changes of it, and no energy
+  // is gained. All of them are hit.
   for (const std::string condition : {"separate", "slip", "stick"})
     {
       CAPTURE(condition);
@@ -214,9 +214,9 @@ TEST_CASE("What bodies of different groups lose others get", "[simulation]")
       const double size  = norm(before.sums.momentum);
       CHECK(norm(after.momentum) > 0.01 * size);
       for (const int b : {1, 2})
-        CHECK(norm(scene.progress().sums[b].momentum) > 0.02 * size);
+        CHECK(norm(scene.progress().sums[b].momentum) > 0.005 * size);
       CHECK(norm(after.sums.momentum + after.momentum - before.sums.momentum - before.momentum) <
-            1e-12 * size);
+            1e-11 * size);
       CHECK(std::abs(after.angular_momentum - before.angular_momentum) < 1e-4 * size);
       CHECK(after.energy < 1.01 * before.energy);
     }

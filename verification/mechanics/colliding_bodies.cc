@@ -44,7 +44,7 @@ namespace magmpm::verification
              "\n    set Shape = sphere\n    set Material = rubber\n    set Density = " +
              as_text(density) + "\n    set Radius = " + as_text(radius) +
              "\n    set Centre = " + point(collision.dim, x, 1.5 + off) +
-             "\n    set Contact group = " + std::to_string(number % collision.n_groups) +
+             "\n    set Contact group = " + std::to_string(number) +
              "\n    set Velocity = " + point(collision.dim, v, 0.) + "\n  end\n";
     }
 

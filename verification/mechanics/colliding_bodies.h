@@ -13,7 +13,6 @@ namespace magmpm::verification
     double speed          = 0.05; ///< of each over that of sound
     double offset         = 0.;   ///< of both from the lattice [dx]
     double elastic_factor = 0.4;  ///< dt c/dx
-    int n_groups          = 2;
   };
 
   struct CollisionResult
