@@ -12,7 +12,7 @@ namespace
   SharedMaterial<2>
   half_space(const bool is_upper, const double density, const double height, const double spacing)
   {
-    const double q = (is_upper ? 1. : -1.) * height / spacing;
+    const double q      = (is_upper ? 1. : -1.) * height / spacing;
     const double volume = spacing * spacing * spline_integral(q);
     return {density * volume,
             volume,
@@ -50,6 +50,15 @@ TEST_CASE("The areas of the nodes that two bodies share sum to that of their fac
       }
 }
 
+TEST_CASE("At a node that a body barely reaches the area is that of its own surface", "[boundary]")
+{
+  // Over a gap of 0.2 dx the node lies 1.2 dx below a's face and 1.4 dx below b's, whose mass there is a thousandth: what
+  // its stress gives to the node must balance, N(1.4) dx, not N(1.2) dx.
+  const auto a = half_space(false, 1000., -1.2 * spacing, spacing);
+  const auto b = half_space(true, 1000., -1.4 * spacing, spacing);
+  CHECK(shared_area(a, b, {{0., 1.}}) == Approx(spacing * spline_of_distance(1.4)).epsilon(0.01));
+}
+
 TEST_CASE("Bodies may touch along the normals of both and that between them", "[boundary]")
 {
   // a ends upwards, b to the left and downwards in equal parts: out of a is up, into b up and to the right. What has no
@@ -62,7 +71,9 @@ TEST_CASE("Bodies may touch along the normals of both and that between them", "[
   CHECK(norm(contact_normals(a, SharedMaterial<2>{1., 0.25, 1., {}})[1]) == 0.);
 }
 
-TEST_CASE("Where sides of two bodies lie in one plane the normal between them is that of their face", "[boundary]")
+TEST_CASE(
+  "Where sides of two bodies lie in one plane the normal between them is that of their face",
+  "[boundary]")
 {
   // a to the left of b, both end at the same height, wherever that and the face are from the node: the part of the
   // gradients along the side is the same part of both volumes, and cancels.
