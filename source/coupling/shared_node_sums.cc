@@ -170,13 +170,6 @@ namespace magmpm
       const double edge; ///< [m]
     };
 
-    template <int dim>
-    bool
-    is_fluid(const Body<dim> &body)
-    {
-      return std::holds_alternative<ViscoelasticFluid<dim>>(body.material);
-    }
-
     /** J of a particle. */
     template <int dim>
     double

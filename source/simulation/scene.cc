@@ -175,11 +175,12 @@ namespace magmpm
   Scene<dim>::pull_surfaces()
   {
     const Scope timed(phase_timer, "Surface tension");
+    // Fluids are in group 0, the lowest.
     surfaces.act(state.clock,
                  decomposition->partition(),
                  holder.bodies().all(),
                  all_bodies,
-                 lattice_motion.field());
+                 lattice_motion.by_group().front().motion);
   }
 
   template <int dim>

@@ -728,6 +728,8 @@ TEST_CASE("Surface tension and contact angles are checked", "[parameters]")
     Catch::Contains("Walls/Lower x contact angle = 40: it needs 'Lower x' = slip or separate"));
   CHECK_THAT(message_with("Walls/Lower z contact angle=181", fluid),
              Catch::Contains("a number from 0 to 180"));
+}
+
 namespace
 {
   /** The valid scene with a second cube on top of the first, in contact group 1, and contacts. */
