@@ -19,7 +19,7 @@ namespace magmpm
      * with 0.2 a block is thrown out of the pool that it floats in.
      */
     constexpr double sharpness_in_solids = 0.1;
-    constexpr double sharpness_in_fluids = 0.5;
+    constexpr double sharpness_in_fluids = 0.7;
 
     /** How far beside a node particles count, so that it has the gap where it is, not the least in its reach. */
     constexpr double width_of_mean = 0.35; // dx

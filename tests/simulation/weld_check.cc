@@ -92,7 +92,7 @@ TEST_CASE("Bodies of different groups, and fluids, meet without a word", "[simul
 {
   // They do what they were asked to: part, or flow together.
   CHECK(warnings_of(three_blocks({"Bodies/first/Contact group=1"}), MPI_COMM_SELF).empty());
-  Parameters<2> fluids = three_blocks();
+  Parameters<2> fluids             = three_blocks();
   fluids.materials[0].law          = MechanicalLaw::viscoelastic_fluid;
   fluids.materials[0].bulk_modulus = 1e5;
   CHECK(warnings_of(fluids, MPI_COMM_SELF).empty());
