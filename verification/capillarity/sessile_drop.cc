@@ -28,8 +28,8 @@ namespace magmpm::verification
           const std::string axis(1, "xyz"[d]);
           text += "set Lower " + axis + " = slip\nset Upper " + axis + " = open\n";
         }
-      return text + "set Lower " + "xyz"[run.dim - 1] + " contact angle = " + as_text(run.angle) +
-             "\nend\n";
+      return text + "set Particles leaving the box = remove\nset Lower " + "xyz"[run.dim - 1] +
+             " contact angle = " + as_text(run.angle) + "\nend\n";
     }
 
     std::string
@@ -45,11 +45,11 @@ namespace magmpm::verification
       ParticleGrid grid;
       grid.dim     = run.dim;
       grid.spacing = dx / run.particles_per_edge;
-      // The flattest, of 30 degrees, is 2.1 R wide; the steepest 1.9 R high.
+      // The flattest, of 30 degrees, is 2.1 R wide and swings; the steepest is 1.9 R high.
       std::string box;
       for (int d = 0; d < run.dim; ++d)
         {
-          const double reach = (d == run.dim - 1 ? 1.9 : 2.2) * run.cells + 4.;
+          const double reach = (d == run.dim - 1 ? 2. : 3.) * run.cells + 4.;
           grid.upper[d]      = 4. * std::ceil(0.25 * reach) * dx;
           box += (d > 0 ? ", " : "") + as_text(grid.upper[d]);
         }
@@ -115,7 +115,7 @@ namespace magmpm::verification
   {
     const auto frames       = particle_frames(run_sessile(run));
     const std::size_t first = frames.size() * 2 / 3;
-    SessileDrop drop        = {0., 180., 0.};
+    SessileDrop drop        = {0., 180., 0., frames.front().size() - frames.back().size()};
     for (std::size_t i = first; i < frames.size(); ++i)
       {
         const double n = static_cast<double>(frames[i].size());

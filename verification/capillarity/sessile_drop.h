@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 namespace magmpm::verification
 {
   /**
@@ -20,7 +22,7 @@ namespace magmpm::verification
     double angle           = 60.;  ///< contact angle of the wall [degrees]
     int cells              = 12;   ///< R/dx of the half disc
     double laplace_number  = 120.; ///< rho gamma 2 R/mu^2
-    double sound           = 7.;   ///< sqrt(K/rho), over sqrt(gamma/(rho dx))
+    double sound           = 10.;  ///< sqrt(K/rho), over sqrt(gamma/(rho dx))
     double duration        = 12.;  ///< [R/U]
     int particles_per_edge = 3;
   };
@@ -30,6 +32,7 @@ namespace magmpm::verification
   {
     double angle;          ///< mean
     double least, largest; ///< while it swings
+    std::size_t n_lost;    ///< particles that have left the box along the wall, since the start
   };
 
   /** A quarter of it in 3D, half of it in 2D, between mirrors. */
