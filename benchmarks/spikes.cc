@@ -12,6 +12,7 @@
 
 #include <shared/command_line.h>
 #include <shared/limit_rows.h>
+#include <verification/capillarity/hexagon_run.h>
 #include <verification/capillarity/layer_runs.h>
 #include <verification/capillarity/magnetic_drop_run.h>
 #include <verification/capillarity/magnetic_drop_shape.h>
@@ -171,6 +172,32 @@ namespace
             {"hysteresis 3D, chi 40, aspect of the long one", from_long}};
   }
 
+  /** A pattern that began tall, or flat, against the hexagons of least energy, or none. */
+  LimitCase
+  hexagons(const double induction, const bool is_tall)
+  {
+    HexagonRun run;
+    run.induction          = induction;
+    run.start              = is_tall ? 0.8 : 0.;
+    run.layer.viscosity    = 4e-6;
+    const std::string name = "hexagons 3D, B " + to_text(induction) + " B_c, from " +
+                             (is_tall ? "tall ones" : "a flat layer");
+    return {name, [=]() -> std::vector<LimitRow> {
+              const HexagonHeights found = hexagon_heights(run);
+              const double exact         = is_tall ? found.exact : 0.;
+              std::vector<LimitRow> rows = {{name + ", first mode [mm]", 1e3 * found.first_mode},
+                                            {name + ", of least energy [mm]", 1e3 * exact},
+                                            {name + ", change in the last fifth [mm]",
+                                             1e3 * found.change},
+                                            {name + ", highest particle over the crest [mm]",
+                                             1e3 * std::max(found.highest - found.crest, 0.)}};
+              if (exact > 0.)
+                rows.insert(rows.begin(),
+                            {name + ", first mode", std::abs(found.first_mode / exact - 1.), 0.04});
+              return rows;
+            }};
+  }
+
   void
   run_program(const std::vector<std::string> &arguments)
   {
@@ -199,6 +226,9 @@ namespace
             if (chi < 2. || aspect != 2.)
               cases.push_back(magnetic_drop(3, chi, aspect));
         cases.push_back({"hysteresis 3D", hysteresis_rows});
+        for (const double b : {1.1, 1.05, 0.995, 0.95})
+          cases.push_back(hexagons(b, true));
+        cases.push_back(hexagons(0.97, false));
         for (const double k : {0.5, 2.})
           add_growth(cases, wave_at(1.3, k), 0.05);
         for (const double m : {1.05, 1.1, 1.2})

@@ -41,9 +41,8 @@ namespace magmpm::verification
   }
 
   void
-  BandMatrix::solve(std::vector<double> &x)
+  BandMatrix::solve(std::vector<double> &x) const
   {
-    factorize();
     for (int i = 0; i < n; ++i)
       {
         for (int j = std::max(0, i - width); j < i; ++j)

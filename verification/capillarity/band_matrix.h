@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 namespace magmpm::verification
@@ -22,9 +23,13 @@ namespace magmpm::verification
     void
     isolate(const int i);
 
-    /** Replaces the right hand side by the solution, and the matrix by its factor (Cholesky). */
+    /** Replaces the matrix by its factor (Cholesky), as solve() needs it. */
     void
-    solve(std::vector<double> &x);
+    factorize();
+
+    /** Replaces the right hand side by the solution. */
+    void
+    solve(std::vector<double> &x) const;
 
   private:
     const int n, width;
@@ -37,7 +42,10 @@ namespace magmpm::verification
       return rows.data() + static_cast<std::ptrdiff_t>(i) * width + width;
     }
 
-    void
-    factorize();
+    const double *
+    row(const int i) const
+    {
+      return rows.data() + static_cast<std::ptrdiff_t>(i) * width + width;
+    }
   };
 } // namespace magmpm::verification

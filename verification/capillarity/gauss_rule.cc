@@ -3,23 +3,38 @@
 #include <verification/capillarity/gauss_rule.h>
 
 #include <cmath>
+#include <cstddef>
 
 namespace magmpm::verification
 {
-  Legendre
+  ValueAndSlope
   legendre(const int n, const double x)
   {
     // (i + 1) P_(i+1) = (2 i + 1) x P_i - i P_(i-1), and its derivative.
-    Legendre before = {0., 0.}, now = {1., 0.};
+    ValueAndSlope before = {0., 0.}, now = {1., 0.};
     for (int i = 0; i < n; ++i)
       {
-        const Legendre next = {((2. * i + 1.) * x * now.value - i * before.value) / (i + 1.),
-                               ((2. * i + 1.) * (now.value + x * now.slope) - i * before.slope) /
-                                 (i + 1.)};
-        before              = now;
-        now                 = next;
+        const ValueAndSlope next = {
+          ((2. * i + 1.) * x * now.value - i * before.value) / (i + 1.),
+          ((2. * i + 1.) * (now.value + x * now.slope) - i * before.slope) / (i + 1.)};
+        before = now;
+        now    = next;
       }
     return now;
+  }
+
+  ValueAndSlope
+  lagrange(const std::vector<double> &places, const int i, const double x)
+  {
+    ValueAndSlope result = {1., 0.};
+    for (std::size_t j = 0; j < places.size(); ++j)
+      if (static_cast<int>(j) != i)
+        {
+          const double part = 1. / (places[i] - places[j]);
+          result.slope      = result.slope * (x - places[j]) * part + result.value * part;
+          result.value *= (x - places[j]) * part;
+        }
+    return result;
   }
 
   GaussRule
@@ -48,7 +63,7 @@ namespace magmpm::verification
         double x = -std::cos(constants::pi * i / (n - 1.));
         for (int step = 0; step < 50; ++step)
           {
-            const Legendre p       = legendre(n - 1, x);
+            const ValueAndSlope p  = legendre(n - 1, x);
             const double curvature = (2. * x * p.slope - n * (n - 1.) * p.value) / (1. - x * x);
             x -= p.slope / curvature;
           }

@@ -18,12 +18,16 @@ namespace magmpm::verification
   std::vector<double>
   lobatto_points(const int n);
 
-  /** Legendre's polynomial P_n and its derivative at a place in [-1, 1]. */
-  struct Legendre
+  struct ValueAndSlope
   {
     double value, slope;
   };
 
-  Legendre
+  /** Legendre's polynomial P_n at a place in [-1, 1]. */
+  ValueAndSlope
   legendre(const int n, const double x);
+
+  /** Lagrange's polynomial that is 1 at places[i] and 0 at all others. */
+  ValueAndSlope
+  lagrange(const std::vector<double> &places, const int i, const double x);
 } // namespace magmpm::verification

@@ -72,7 +72,7 @@ namespace magmpm::verification
   {
     if (drop.dim == 2)
       return {std::cos(2. * n * (0.5 * pi - x)), 2. * n * std::sin(2. * n * (0.5 * pi - x))};
-    const Legendre p = legendre(2 * n, x);
+    const ValueAndSlope p = legendre(2 * n, x);
     return {p.value, p.slope};
   }
 

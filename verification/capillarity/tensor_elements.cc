@@ -18,20 +18,12 @@ namespace magmpm::verification
   {
     const GaussRule rule             = gauss_rule(n_points);
     const std::vector<double> places = lobatto_points(degree + 1);
-    const int n                      = degree + 1;
     for (const double point : rule.points)
-      for (int i = 0; i < n; ++i)
+      for (int i = 0; i <= degree; ++i)
         {
-          double value = 1., slope = 0.;
-          for (int j = 0; j < n; ++j)
-            if (j != i)
-              {
-                const double part = 1. / (places[i] - places[j]);
-                slope             = slope * (point - places[j]) * part + value * part;
-                value *= (point - places[j]) * part;
-              }
-          values.push_back(value);
-          slopes.push_back(slope);
+          const ValueAndSlope polynomial = lagrange(places, i, point);
+          values.push_back(polynomial.value);
+          slopes.push_back(polynomial.slope);
         }
     for (std::size_t ex = 0; ex + 1 < x.size(); ++ex)
       for (int p = 0; p < n_points; ++p)
@@ -103,6 +95,7 @@ namespace magmpm::verification
           matrix.isolate(i);
           u[i] = 0.;
         }
+    matrix.factorize();
     matrix.solve(u);
 
     std::vector<PlaneGradient> result(all_points.size(), {0., 0.});
