@@ -16,6 +16,7 @@
 #include <verification/capillarity/layer_runs.h>
 #include <verification/capillarity/magnetic_drop_run.h>
 #include <verification/capillarity/magnetic_drop_shape.h>
+#include <verification/capillarity/noise_growth.h>
 
 #include <algorithm>
 #include <cmath>
@@ -89,6 +90,29 @@ namespace
     run.duration = 0.5;
     return {
       {"no growth at 0.95 M_c, late over early amplitude", layer_growth(run).late_over_early, 1.}};
+  }
+
+  /** Boxes of so many waves: which one comes out of the noise. */
+  LimitCase
+  from_noise(const double magnetization, const double waves)
+  {
+    LayerRun run           = wave_at(magnetization);
+    run.cells              = 24;
+    run.depth_cells        = 12;
+    run.height_cells       = 12;
+    run.jitter             = 0.5;
+    run.layer.viscosity    = 4e-6;
+    run.waves              = waves;
+    const std::string name = "from noise, M " + to_text(magnetization) + " M_c, " + to_text(waves) +
+                             " waves";
+    return {name, [=]() -> std::vector<LimitRow> {
+              const NoiseGrowth growth = noise_growth(run);
+              return {
+                {name + ", wave number", std::abs(growth.wave_number / growth.exact - 1.), 0.1},
+                {name + ", exact [k_c]", growth.exact / run.layer.capillary_wave_number()},
+                {name + ", measured [k_c]", growth.wave_number / run.layer.capillary_wave_number()},
+                {name + ", steepness", growth.steepness}};
+            }};
   }
 
   LayerRun
@@ -214,6 +238,8 @@ namespace
       add_growth(cases, wave_at(m), m < 1. ? no_limit : 0.05);
     cases.push_back({"critical magnetization", critical_row});
     cases.push_back({"no growth at 0.95 M_c", quiet_rows});
+    for (const double waves : {5., 7.})
+      cases.push_back(from_noise(1.1, waves));
     for (const double m : {1.05, 1.1, 1.2})
       add_spikes(cases, spikes_at(m), true);
     for (const double aspect : {1.5, 2., 3.})

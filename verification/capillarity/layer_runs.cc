@@ -20,79 +20,11 @@ namespace magmpm::verification
   {
     constexpr double pi = constants::pi;
 
-    double
-    dx_of(const LayerRun &run)
-    {
-      return 2. * pi / run.k() / run.cells;
-    }
-
     std::string
     name_of(const std::string &what, const LayerRun &run)
     {
       return what + "-" + as_text(run.wave_number) + "-" + as_text(run.magnetization) + "-" +
              std::to_string(run.cells) + "-" + as_text(run.steepness);
-    }
-
-    std::string
-    magnetic_lines(const LayerRun &run)
-    {
-      if (run.magnetization == 0.)
-        return "";
-      std::string text = "subsection Magnets\nset List of magnets = coil\nsubsection coil\n"
-                         "set Field = 0; " +
-                         as_text(run.state().induction() / constants::vacuum_permeability) +
-                         "\nend\nend\nsubsection Magnetics\nset Magnetization law = linear\n"
-                         "set Newton tolerance = 1e-6\nsubsection Potential box\n";
-      for (const std::string face : {"Lower x", "Upper x", "Lower y", "Upper y"})
-        text += "set " + face + " = shielded\n";
-      return text + "end\nend\n";
-    }
-
-    /** @param lean  gravity along x, an expression of t. */
-    std::string
-    scene(const LayerRun &run, const std::string &lean, const double end, const int n_frames)
-    {
-      const double dx              = dx_of(run);
-      const FerrofluidLayer &layer = run.layer;
-      ParameterText text;
-      text.end_time = as_text(end);
-      text.gravity  = lean + "; " + as_text(-layer.gravity);
-      text.box      = as_text(0.5 * run.cells * dx) + ", " +
-                 as_text((run.depth_cells + run.height_cells) * dx);
-      text.cell_size = as_text(dx);
-      text.add_fluid(
-        "ferrofluid",
-        as_text(layer.density * run.sound * run.sound),
-        as_text(layer.density * layer.viscosity),
-        "set Surface tension = " + as_text(layer.surface_tension) + "\n" +
-          (run.magnetization > 0.
-             ? "set Initial susceptibility = " + as_text(layer.medium.initial_susceptibility) + "\n"
-             : ""));
-      text.add_body("layer",
-                    "ferrofluid",
-                    as_text(layer.density),
-                    "set Lower corner = 0, 0\nset Upper corner = " + as_text(0.5 * run.cells * dx) +
-                      ", " + as_text(run.depth_cells * dx) +
-                      "\nset Initial state = hydrostatic\nset Particles per edge = " +
-                      std::to_string(run.particles_per_edge) + "\n");
-      text.rest = "set Checkpoint every = never\n" + walls(2, "slip") + magnetic_lines(run) +
-                  (run.damping > 0.
-                     ? "subsection Rest\nset Damping rate = " + as_text(run.damping) + "\nend\n"
-                     : "") +
-                  "subsection Output\nset Particle quantities = J\nset Fields = false\n"
-                  "set Statistics every = 1000\nset Frame interval = " +
-                  as_text(end / n_frames) + "\nend\n";
-      return text.text();
-    }
-
-    /** a_1 = 2/width int (h - d) cos(k x) dx = 2/width sum_p V_p cos(k x_p) [m]. */
-    double
-    first_mode(const LayerRun &run, const ParticleFrame &frame)
-    {
-      double sum = 0.;
-      for (const auto &place : frame.positions)
-        sum += std::cos(run.k() * place[0]);
-      return 2. * run.boxed_layer().depth * sum / static_cast<double>(frame.size());
     }
 
     /** [m] over the flat surface. */
@@ -111,7 +43,7 @@ namespace magmpm::verification
       Course course;
       for (const ParticleFrame &frame : frames)
         if (frame.time > start)
-          course.emplace_back(frame.time - start, first_mode(run, frame));
+          course.emplace_back(frame.time - start, mode_amplitude(run, frame, run.k()));
       return course;
     }
 
@@ -172,31 +104,6 @@ namespace magmpm::verification
     }
   } // namespace
 
-  double
-  LayerRun::k() const
-  {
-    return wave_number * layer.capillary_wave_number();
-  }
-
-  FerrofluidLayer
-  LayerRun::boxed_layer() const
-  {
-    FerrofluidLayer boxed = layer;
-    const double dx       = 2. * pi / k() / cells;
-    boxed.depth           = depth_cells * dx;
-    boxed.height          = height_cells * dx;
-    boxed.floor           = Floor::slip;
-    boxed.faces           = FieldFaces::shielded;
-    return boxed;
-  }
-
-  LayerField
-  LayerRun::state() const
-  {
-    const FerrofluidLayer boxed = boxed_layer();
-    return field_of_magnetization(boxed, magnetization * critical_state(boxed).state.magnetization);
-  }
-
   LayerWave
   layer_wave(const LayerRun &run)
   {
@@ -209,7 +116,7 @@ namespace magmpm::verification
                              "*sin(" + as_text(omega) + "*t)*sin(" + as_text(0.25 * omega) +
                              "*t)^2)";
     const std::string folder = run_scene(name_of("layer-wave", run),
-                                         scene(run, lean, 6. * period, 120));
+                                         layer_scene(run, lean, 6. * period, 120));
     const Course course      = course_of(run, particle_frames(folder), 2. * period);
     const DampedWave wave    = fit_damped_wave(course, omega, true);
     return {wave.frequency / omega - 1.,
@@ -235,10 +142,10 @@ namespace magmpm::verification
     const double pushed = 0.3 / rate, aim = run.steepness / run.k();
     const double velocity = growth.exact > 0. ? rate * aim / std::sinh(1.9) : rate * aim;
     const double end      = run.duration > 0. ? run.duration : (growth.exact > 0. ? 2. : 6.) / rate;
-    const auto frames     = particle_frames(
-      run_scene(name_of("layer-growth", run), scene(run, push(run, velocity, pushed), end, 80)));
-    const Course course = course_of(run, frames, pushed);
-    double least        = 1e300;
+    const auto frames     = particle_frames(run_scene(
+      name_of("layer-growth", run), layer_scene(run, push(run, velocity, pushed), end, 80)));
+    const Course course   = course_of(run, frames, pushed);
+    double least          = 1e300;
     if (growth.exact < 0.)
       {
         const DampedWave wave = fit_damped_wave(course, rate, true);
@@ -280,7 +187,7 @@ namespace magmpm::verification
     const double end       = run.duration > 0. ? run.duration : 0.3;
     const double aim       = run.steepness / run.k();
     const auto frames      = particle_frames(run_scene(
-      name_of("layer-spikes", run), scene(run, push(run, rate * aim, 0.3 / rate), end, 100)));
+      name_of("layer-spikes", run), layer_scene(run, push(run, rate * aim, 0.3 / rate), end, 100)));
     const Course course    = course_of(run, frames, 0.);
     const std::size_t half = course.size() / 2, last = course.size() * 4 / 5;
     double lowest = 1e300, largest = 0.;

@@ -1,39 +1,10 @@
 #pragma once
 
-#include <verification/capillarity/ferrofluid_layer.h>
+#include <verification/capillarity/layer_scene.h>
 
-/**
- * A layer of ferrofluid of magmpm in 2D, half a wave long, between mirrors (slip, shielded) at a crest and a trough, in
- * hydrostatic pressure at first. Linear law.
- */
+/** What becomes of the surface of a layer of ferrofluid of magmpm, half a wave long. */
 namespace magmpm::verification
 {
-  struct LayerRun
-  {
-    FerrofluidLayer layer;        ///< its depth, height, floor and faces are those of the run
-    double wave_number     = 1.;  ///< k [sqrt(rho g/gamma)]
-    double magnetization   = 0.;  ///< M of the flat layer, over the critical one of the box
-    int cells              = 32;  ///< of the lattice a wave length, a multiple of 8
-    int depth_cells        = 16;  ///< a multiple of 4, as the next
-    int height_cells       = 16;  ///< of the space above
-    int particles_per_edge = 3;   ///< of a cell
-    double sound           = 4.;  ///< sqrt(K/rho) [m/s]
-    double steepness       = 0.1; ///< k times the amplitude that the start aims at
-    double duration        = 0.;  ///< [s]; 0: as long as a measurement needs
-    double damping         = 0.;  ///< Rest/Damping rate [1/s]
-
-    double
-    k() const; ///< [1/m]
-
-    /** With its depth, height and faces. */
-    FerrofluidLayer
-    boxed_layer() const;
-
-    /** Of the flat layer. */
-    LayerField
-    state() const;
-  };
-
   /** A standing wave that leaning gravity has raised for two periods: four more of them. */
   struct LayerWave
   {
