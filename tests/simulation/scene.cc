@@ -112,11 +112,11 @@ TEST_CASE("A scene goes on from what another one saved", "[simulation][mpi]")
 
 TEST_CASE("the columns of a scene have units of its dimension", "[simulation]")
 {
-  // One body in 3D and a magnet with a surface: 34 columns of the scene, 6 of the body, 6 of the magnet
+  // One body in 3D and a magnet with a surface: 36 columns of the scene, 6 of the body, 6 of the magnet
   // and 3 of its surface. In 2D momenta and energies are per metre of depth, and there is one angular
   // momentum.
   const Scene<3> cube(small_cube(), MPI_COMM_WORLD);
-  CHECK(cube.columns().all().size() == 16 + 3 * 3 + 6 + 6 + 9 + 6 + 3 + 2);
+  CHECK(cube.columns().all().size() == 16 + 3 * 3 + 6 + 6 + 9 + 6 + 3 + 4);
   const Scene<2> drop(
     read_parameters<2>(read_parameter_file(source_folder() + "/parameter_files/drop_2d.prm")),
     MPI_COMM_WORLD);
