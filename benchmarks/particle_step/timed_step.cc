@@ -92,11 +92,11 @@ namespace magmpm::benchmarks
       void
       smooth_volume()
       {
-        for (const LameModuli &moduli : smoothed_materials(bodies))
+        for (const SmoothedMaterial &material : smoothed_materials(bodies))
           {
-            sum_strain(bodies, moduli, blocks, lattice, strain);
+            sum_strain(bodies, material, blocks, lattice, strain);
             divide_by_weight(blocks, strain);
-            find_volumetric_stress(strain, moduli, blocks, lattice, bodies);
+            find_volumetric_stress(strain, material, blocks, lattice, bodies);
           }
       }
 

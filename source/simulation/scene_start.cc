@@ -8,6 +8,7 @@
 #include <magmpm/particles/seeding.h>
 #include <magmpm/simulation/scene.h>
 #include <magmpm/simulation/seeding_report.h>
+#include <magmpm/simulation/surface_report.h>
 
 #include <algorithm>
 
@@ -76,6 +77,8 @@ namespace magmpm
       }
     compress_by_weight(parameters, obstacles, communicator, all_bodies);
     state.notices.push_back({false, seeding_report(parameters.bodies, all_bodies, communicator)});
+    if (const std::string surfaces = surface_report(parameters); !surfaces.empty())
+      state.notices.push_back({false, surfaces});
   }
 
   template <int dim>

@@ -4,6 +4,7 @@
 #include <magmpm/mesh/block_partition.h>
 #include <magmpm/parameters/parameters.h>
 #include <magmpm/particles/body.h>
+#include <magmpm/particles/box_faces.h>
 #include <magmpm/particles/particle_sort.h>
 
 #include <mpi.h>
