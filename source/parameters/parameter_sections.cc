@@ -3,8 +3,8 @@
 #include <magmpm/parameters/attraction_section.h>
 #include <magmpm/parameters/body_section.h>
 #include <magmpm/parameters/checkpoint_section.h>
-#include <magmpm/parameters/face_names.h>
 #include <magmpm/parameters/contact_section.h>
+#include <magmpm/parameters/face_names.h>
 #include <magmpm/parameters/magnetics_section.h>
 #include <magmpm/parameters/output_section.h>
 #include <magmpm/parameters/parallel_section.h>
