@@ -18,7 +18,8 @@ namespace magmpm
   {
     for (int q = 0; q < points_1d; ++q)
       {
-        points[q]      = q / 3 + 0.5 * CellRule<3>::points[q % 3];
+        const int cell = q / 3;
+        points[q]      = cell + 0.5 * CellRule<3>::points[q % 3];
         weights[q]     = 0.5 * CellRule<3>::weights[q % 3];
         const int base = static_cast<int>(std::floor(points[q] - 0.5));
         bases[q]       = base + 1; // the window begins one node below

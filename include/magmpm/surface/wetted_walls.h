@@ -7,7 +7,7 @@
 
 namespace magmpm
 {
-  /** What the walls of the box do to a surface that meets them, -x, +x, -y, .. */
+  /** What each wall of the box does to a surface that meets it. */
   template <int dim>
   struct WettedWalls
   {
