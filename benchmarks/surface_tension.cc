@@ -144,9 +144,13 @@ namespace
   }
 
   void
-  add_sessile(std::vector<LimitCase> &cases, const int dim, const double angle)
+  add_sessile(std::vector<LimitCase> &cases,
+              const int dim,
+              const double angle,
+              const double slab = 0.)
   {
     SessileRun run;
+    run.slab  = slab;
     run.dim   = dim;
     run.angle = angle;
     if (dim == 3)
@@ -155,15 +159,17 @@ namespace
         run.particles_per_edge = 2;
       }
     const std::string name = std::string("contact angle") + (dim == 3 ? " 3D" : "") + ", " +
-                             to_text(angle) + " degrees";
-    cases.push_back(
-      {name, [=]() -> std::vector<LimitRow> {
-         const SessileDrop drop = sessile_drop(run);
-         return {{name + ", error [degrees]", std::abs(drop.angle - angle), dim == 3 ? 5. : 3.},
-                 {name + ", particles lost", static_cast<double>(drop.n_lost), 0.},
-                 {name + ", least [degrees]", drop.least},
-                 {name + ", largest [degrees]", drop.largest}};
-       }});
+                             (slab > 0. ? " on a rigid slab" : "") + ", " + to_text(angle) +
+                             " degrees";
+    cases.push_back({name, [=]() -> std::vector<LimitRow> {
+                       const SessileDrop drop = sessile_drop(run);
+                       return {{name + ", error [degrees]",
+                                std::abs(drop.angle - angle),
+                                dim == 3 || run.slab > 0. ? 5. : 3.},
+                               {name + ", particles lost", static_cast<double>(drop.n_lost), 0.},
+                               {name + ", least [degrees]", drop.least},
+                               {name + ", largest [degrees]", drop.largest}};
+                     }});
   }
 
   void
@@ -189,6 +195,8 @@ namespace
       if (is_long || (angle != 45. && angle != 90. && angle != 135.))
         add_sessile(cases, 2, angle);
     add_sessile(cases, 3, 60.);
+    for (const double angle : {30., 60., 90., 120., 150.})
+      add_sessile(cases, 2, angle, 3.37); // its surface between nodes
     if (is_long)
       {
         add_wave(cases, 64, 0.015);

@@ -51,6 +51,22 @@ TEST_CASE("A drop meets a wall at the angle asked for", "[program]")
     }
 }
 
+TEST_CASE("A drop meets a rigid body at the angle asked for", "[program]")
+{
+  // The same on a slab whose surface lies between nodes of the lattice, to 6 degrees; as a wall of its own it would
+  // repel what has no angle given, which is 90 degrees.
+  for (const double angle : {60., 90., 120.})
+    {
+      SessileRun run;
+      run.angle              = angle;
+      run.slab               = 3.37;
+      run.cells              = 8;
+      const SessileDrop drop = sessile_drop(run);
+      INFO(angle << ": " << drop.angle);
+      CHECK(std::abs(drop.angle - angle) < 6.);
+    }
+}
+
 TEST_CASE("Waves on ferrofluid with surface tension grow as fast as they must", "[program]")
 {
   // At 1.3 M_c the critical wave grows by its rate to 5 %; at 0.9 M_c it swings.

@@ -28,18 +28,48 @@ namespace magmpm::verification
           const std::string axis(1, "xyz"[d]);
           text += "set Lower " + axis + " = slip\nset Upper " + axis + " = open\n";
         }
-      return text + "set Particles leaving the box = remove\nset Lower " + "xyz"[run.dim - 1] +
-             " contact angle = " + as_text(run.angle) + "\nend\n";
+      text += "set Particles leaving the box = remove\n";
+      if (run.slab == 0.)
+        text += std::string("set Lower ") + "xyz"[run.dim - 1] +
+                " contact angle = " + as_text(run.angle) + "\n";
+      return text + "end\n";
+    }
+
+    /** The slab, as wide as the box. */
+    std::string
+    slab_lines(const SessileRun &run, const std::array<double, 3> &box, const double height)
+    {
+      if (run.slab == 0.)
+        return "";
+      std::string lower, upper;
+      for (int d = 0; d < run.dim; ++d)
+        {
+          lower += (d > 0 ? ", " : "") + as_text(0.);
+          upper += (d > 0 ? ", " : "") + as_text(d == run.dim - 1 ? height : box[d]);
+        }
+      return "subsection Rigid bodies\nset List of rigid bodies = slab\nsubsection slab\n"
+             "set Shape = box\nset Lower corner = " +
+             lower + "\nset Upper corner = " + upper +
+             "\nset Motion = scripted\nset Contact = slip\nset Contact angle = " +
+             as_text(run.angle) + "\nend\nend\n";
+    }
+
+    /** The ball of which it is half. */
+    DropRun
+    round_drop(const SessileRun &run)
+    {
+      DropRun round;
+      round.dim            = run.dim;
+      round.laplace_number = run.laplace_number;
+      return round;
     }
 
     std::string
     run_sessile(const SessileRun &run)
     {
-      const std::string name = "sessile-" + std::to_string(run.dim) + "D-" + as_text(run.angle);
-      DropRun round;
-      round.dim            = run.dim;
-      round.laplace_number = run.laplace_number;
-      const Drop drop      = round.drop();
+      const std::string name = "sessile-" + std::to_string(run.dim) + "D-" + as_text(run.angle) +
+                               (run.slab > 0. ? "-slab" : "");
+      const Drop drop = round_drop(run).drop();
       const double dx = drop.radius / run.cells, speed = drop.capillary_speed();
       const double sound = run.sound * std::sqrt(static_cast<double>(run.cells)) * speed;
       ParticleGrid grid;
@@ -49,7 +79,7 @@ namespace magmpm::verification
       std::string box;
       for (int d = 0; d < run.dim; ++d)
         {
-          const double reach = (d == run.dim - 1 ? 2. : 3.) * run.cells + 4.;
+          const double reach = (d == run.dim - 1 ? 2. * run.cells + run.slab : 3. * run.cells) + 4.;
           grid.upper[d]      = 4. * std::ceil(0.25 * reach) * dx;
           box += (d > 0 ? ", " : "") + as_text(grid.upper[d]);
         }
@@ -63,16 +93,17 @@ namespace magmpm::verification
                       as_text(drop.density * sound * sound),
                       as_text(drop.density * drop.viscosity),
                       "set Surface tension = " + as_text(drop.surface_tension) + "\n");
-      const std::string file =
-        write_particles(name, grid, [&drop](const std::array<double, 3> &place) {
-          return std::hypot(place[0], place[1], place[2]) < drop.radius;
-        });
+      const std::string file = write_particles(name, grid, [&](std::array<double, 3> place) {
+        place[run.dim - 1] -= run.slab * dx;
+        return place[run.dim - 1] > 0. && std::hypot(place[0], place[1], place[2]) < drop.radius;
+      });
       scene.add_body("drop",
                      "liquid",
                      as_text(drop.density),
                      "set Shape = points\nset File = " + file + "\nset Particles per edge = " +
                        std::to_string(run.particles_per_edge) + "\n");
       scene.rest = "set Checkpoint every = never\n" + wall_lines(run) +
+                   slab_lines(run, grid.upper, run.slab * dx) +
                    "subsection Output\nset Particle quantities = J\nset Fields = false\n"
                    "set Statistics every = 1000\nset Frame interval = " +
                    as_text(0.01 * run.duration * drop.radius / speed) + "\nend\n";
@@ -114,6 +145,7 @@ namespace magmpm::verification
   sessile_drop(const SessileRun &run)
   {
     const auto frames       = particle_frames(run_sessile(run));
+    const double dx         = round_drop(run).drop().radius / run.cells;
     const std::size_t first = frames.size() * 2 / 3;
     SessileDrop drop        = {0., 180., 0., frames.front().size() - frames.back().size()};
     for (std::size_t i = first; i < frames.size(); ++i)
@@ -122,7 +154,7 @@ namespace magmpm::verification
         double height = 0., square = 0.;
         for (const auto &place : frames[i].positions)
           {
-            height += place[run.dim - 1] / n;
+            height += (place[run.dim - 1] - run.slab * dx) / n;
             for (int d = 0; d + 1 < run.dim; ++d)
               square += place[d] * place[d] / (n * (run.dim - 1));
           }

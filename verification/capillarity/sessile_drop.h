@@ -15,15 +15,16 @@ namespace magmpm::verification
   double
   cap_angle(const int dim, const double ratio);
 
-  /** Half a disc (3D: half a ball) that is laid on a wall along which fluids slip, without gravity. */
+  /** Half a disc (3D: half a ball) that is laid on a wall, or on a rigid slab, along which fluids slip; no gravity. */
   struct SessileRun
   {
-    int dim                = 2;
-    double angle           = 60.;  ///< contact angle of the wall [degrees]
-    int cells              = 12;   ///< R/dx of the half disc
-    double laplace_number  = 120.; ///< rho gamma 2 R/mu^2
-    double sound           = 10.;  ///< sqrt(K/rho), over sqrt(gamma/(rho dx))
-    double duration        = 12.;  ///< [R/U]
+    int dim               = 2;
+    double angle          = 60.; ///< contact angle of the wall, or of the slab [degrees]
+    double slab           = 0.; ///< height of a rigid slab that it is laid on instead [dx]; 0: none
+    int cells             = 12; ///< R/dx of the half disc
+    double laplace_number = 120.; ///< rho gamma 2 R/mu^2
+    double sound          = 10.;  ///< sqrt(K/rho), over sqrt(gamma/(rho dx))
+    double duration       = 12.;  ///< [R/U]
     int particles_per_edge = 3;
   };
 
