@@ -158,7 +158,7 @@ namespace
         run.cells              = 6;
         run.particles_per_edge = 2;
       }
-    const std::string name = std::string("contact angle") + (dim == 3 ? " 3D" : "") + ", " +
+    const std::string name = std::string("contact angle") + (dim == 3 ? " 3D" : "") +
                              (slab > 0. ? " on a rigid slab" : "") + ", " + to_text(angle) +
                              " degrees";
     cases.push_back({name, [=]() -> std::vector<LimitRow> {
