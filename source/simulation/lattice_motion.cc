@@ -65,6 +65,7 @@ namespace magmpm
                     parameters.contact_groups(),
                     parameters.contacts,
                     communicator)
+    , welds(parameters.lattice, communicator)
   {
     for (const int group : parameters.contact_groups())
       groups.push_back(

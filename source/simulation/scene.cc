@@ -56,7 +56,6 @@ namespace magmpm
     , surfaces(parameters.lattice, parameters.walls)
     , forces(parameters.forces)
     , lattice_motion(parameters, communicator)
-    , welds(parameters.lattice, communicator)
   {
     for (const BodyParameters<dim> &body : parameters.bodies)
       all_bodies.emplace_back(body, parameters.material_of(body));

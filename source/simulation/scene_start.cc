@@ -118,7 +118,8 @@ namespace magmpm
     state.mesh_changes += regrouping.mesh.is_change();
     state.imbalance = regrouping.mesh.imbalance;
     lattice_motion.reinit(decomposition->blocks().size());
-    for (const std::string &weld : welds.find_welds(all_bodies, state.clock.time))
+    for (const std::string &weld :
+         lattice_motion.weld_check().find_welds(all_bodies, state.clock.time))
       state.notices.push_back({true, weld});
   }
 

@@ -9,6 +9,7 @@
 #include <magmpm/parameters/parameters.h>
 #include <magmpm/particles/particle_grid_transfer.h>
 #include <magmpm/particles/smoothed_volume.h>
+#include <magmpm/simulation/weld_check.h>
 
 #include <vector>
 
@@ -66,6 +67,13 @@ namespace magmpm
       return group_contact;
     }
 
+    /** Within groups. */
+    WeldCheck<dim> &
+    weld_check()
+    {
+      return welds;
+    }
+
     /** What is on the lattice, by contact group from the lowest on. */
     std::vector<GroupMotion<dim>> &
     by_group()
@@ -121,6 +129,7 @@ namespace magmpm
 
     std::vector<GroupMotion<dim>> groups;
     GroupContact<dim> group_contact;
+    WeldCheck<dim> welds;
 
     NodeField<dim, NodeStrain> strain; ///< used if has_smoothed_bodies
   };

@@ -15,7 +15,6 @@
 #include <magmpm/simulation/domain_decomposition.h>
 #include <magmpm/simulation/lattice_motion.h>
 #include <magmpm/simulation/scene_state.h>
-#include <magmpm/simulation/weld_check.h>
 
 #include <mpi.h>
 
@@ -253,7 +252,6 @@ namespace magmpm
     std::unique_ptr<DomainDecomposition<dim>> decomposition;
     std::vector<Body<dim>> all_bodies;
     LatticeMotion<dim> lattice_motion;
-    WeldCheck<dim> welds;
 
     SceneState<dim> state;
   };
