@@ -57,6 +57,8 @@ namespace
     cases.push_back(at_rest("column 3D, H/8", 8, 3, ColumnFloor::wall, 0.005));
     cases.push_back(at_rest("column on an elastic slab", 16, 2, ColumnFloor::elastic_slab, 0.01));
     cases.push_back(
+      at_rest("column on a slab of its own group", 16, 2, ColumnFloor::separate_slab, 0.01));
+    cases.push_back(
       {"elastic bar", []() -> std::vector<LimitRow> {
          return {{"elastic bar, L/16, frequency", std::abs(frequency_error(16)), 0.002}};
        }});

@@ -38,9 +38,13 @@ namespace magmpm::verification
       text.cell_size = as_text(depth / cells);
       text.add_fluid("oil", as_text(bulk_modulus), "1000")
         .add_box("fluid", "oil", corner(0., bottom), corner(0.5, bottom + depth));
-      if (floor == ColumnFloor::elastic_slab)
+      if (floor != ColumnFloor::wall)
         text.add_solid("rubber", "2e6")
-          .add_box("slab", "rubber", corner(0., 0.), corner(0.5, bottom))
+          .add_box("slab",
+                   "rubber",
+                   corner(0., 0.),
+                   corner(0.5, bottom),
+                   floor == ColumnFloor::separate_slab ? "set Contact group = 1\n" : "")
           .rest = "subsection Rest\nset Damping rate = 3\nend\n";
       text.rest += walls(dim, "slip") +
                    "subsection Output\nset Particle quantities = J, body\n"
@@ -68,7 +72,9 @@ namespace magmpm::verification
   hydrostatic_errors(const int cells, const int dim, const ColumnFloor floor)
   {
     const std::string name = std::string("hydrostatic-") +
-                             (floor == ColumnFloor::wall ? "column-" : "slab-") +
+                             (floor == ColumnFloor::wall           ? "column-"
+                              : floor == ColumnFloor::elastic_slab ? "slab-"
+                                                                   : "separate-slab-") +
                              std::to_string(dim) + "-" + std::to_string(cells);
     const ParticleFrame frame = particle_frames(run_scene(name, scene(cells, dim, floor))).back();
     const auto &volume_ratios = frame.quantities.at("J [-]");

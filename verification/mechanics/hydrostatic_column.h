@@ -6,7 +6,8 @@ namespace magmpm::verification
   enum class ColumnFloor
   {
     wall,
-    elastic_slab
+    elastic_slab,
+    separate_slab ///< the same in a contact group of its own
   };
 
   /** Errors of the pressure over rho g H. */
