@@ -74,8 +74,8 @@ namespace magmpm::benchmarks
         if (is_on != switches.end())
           *is_on->second = true;
         else if (action == actions.end())
-          throw InputError("unknown option '" + option + "'" + did_you_mean(option, known()) +
-                           " '" + program + " --help' lists all options.");
+          throw InputError("unknown option '" + option + "'" + did_you_mean(option, known()) + " " +
+                           program + " has the options " + joined(known()) + ".");
         else if (++i == arguments.size())
           throw InputError("nothing follows " + option + ", but it takes a value.");
         else

@@ -13,7 +13,7 @@ namespace magmpm::benchmarks
   public:
     using Action = std::function<void(const std::string &value)>;
 
-    /** @param program  its name; --help lists all options of it. */
+    /** @param program  its name. */
     explicit CommandLine(const std::string &program);
 
     /** An option without a value. */
