@@ -165,4 +165,9 @@ TEMPLATE_TEST_CASE_SIG("A wetted wall has its energy and the force of it",
   CHECK(wet.virial(centre) == Approx(-(dim - 1) * wet.energy).epsilon(1e-12));
   for (int d = 1; d < dim; ++d)
     CHECK(std::abs(wet.setup.sum(wet.force)[d]) < 1e-12 * wetted);
+
+  // Where a field tells the tension, the wall's follows it.
+  const double whole = wet.energy;
+  wet.find(cap, 0.5, false);
+  CHECK(wet.energy == Approx(0.5 * whole).epsilon(1e-12));
 }
