@@ -18,6 +18,8 @@
 #include <verification/capillarity/magnetic_drop_shape.h>
 #include <verification/capillarity/noise_growth.h>
 #include <verification/capillarity/pattern_equilibrium.h>
+#include <verification/capillarity/spike_equilibrium.h>
+#include <verification/capillarity/surface_waves.h>
 
 #include <algorithm>
 #include <cmath>
@@ -116,6 +118,23 @@ namespace
             }};
   }
 
+  /** Of a layer half a wave deep with a ceiling one and a half above, by M over that of a deep one; without magmpm. */
+  std::vector<LimitRow>
+  exact_spikes()
+  {
+    LayerRun run;
+    run.height_cells            = 3 * run.depth_cells;
+    const FerrofluidLayer layer = run.boxed_layer();
+    const double critical       = critical_state(FerrofluidLayer()).state.magnetization;
+    std::vector<LimitRow> rows;
+    for (const double m : {1.02, 1.05, 1.1, 1.2})
+      rows.push_back(
+        {"least energy of spikes, M " + to_text(m) + " M_c of a deep layer, first mode [mm]",
+         1e3 * spike_equilibrium(layer, field_of_magnetization(layer, m * critical), run.k())
+                 .modes[0]});
+    return rows;
+  }
+
   LayerRun
   spikes_at(const double magnetization)
   {
@@ -145,6 +164,7 @@ namespace
                  {name + ", first mode [mm]", 1e3 * spikes.first_mode},
                  {name + ", least energy [mm]", 1e3 * spikes.exact},
                  {name + ", change in the last fifth", spikes.change, 0.05},
+                 {name + ", particles 1 mm above the crest", spikes.n_flying},
                  {name + ", highest particle over the crest [mm]",
                   1e3 * std::max(spikes.highest - spikes.crest, 0.),
                   is_tall ? 1. : no_limit}};
@@ -170,7 +190,8 @@ namespace
                 {name + ", Bond number", run.bond_number},
                 {name + ", aspect", shape.measured},
                 {name + ", change in the last fifth", shape.change},
-                {name + ", highest particle [R]", shape.highest}};
+                {name + ", highest particle [R]", shape.highest},
+                {name + ", particles lost", static_cast<double>(shape.n_lost), 0.}};
             }};
   }
 
@@ -179,22 +200,24 @@ namespace
   hysteresis_rows()
   {
     MagneticDropRun run;
-    run.drop                = {3, 40.};
-    const Hysteresis jumps  = *hysteresis(run.drop);
-    run.bond_number         = 0.5 * (jumps.bond_up + jumps.bond_down);
-    run.room                = 5.;
-    const double from_short = magnetic_drop_aspect(run).measured;
-    run.start_aspect        = jumps.aspect_down;
-    const double from_long  = magnetic_drop_aspect(run).measured;
-    const double exact      = spheroid_aspect(run.drop, run.bond_number);
-    return {{"hysteresis 3D, chi 40, short, aspect against spheroid",
-             std::abs(from_short / exact - 1.),
-             0.05},
-            {"hysteresis 3D, chi 40, spheroid where long ones fall over aspect of the long one",
-             jumps.aspect_down / from_long,
-             1.},
-            {"hysteresis 3D, chi 40, aspect of the short one", from_short},
-            {"hysteresis 3D, chi 40, aspect of the long one", from_long}};
+    run.drop                            = {3, 40.};
+    const Hysteresis jumps              = *hysteresis(run.drop);
+    run.bond_number                     = 0.5 * (jumps.bond_up + jumps.bond_down);
+    run.room                            = 5.;
+    const MagneticDropAspect from_short = magnetic_drop_aspect(run);
+    run.start_aspect                    = jumps.aspect_down;
+    const MagneticDropAspect from_long  = magnetic_drop_aspect(run);
+    const double exact                  = spheroid_aspect(run.drop, run.bond_number);
+    const std::string name              = "hysteresis 3D, chi 40, ";
+    return {
+      {name + "short, aspect against spheroid", std::abs(from_short.measured / exact - 1.), 0.05},
+      {name + "aspect of long spheroids that fall, over that of the long drop",
+       jumps.aspect_down / from_long.measured,
+       1.},
+      {name + "aspect of the short one", from_short.measured},
+      {name + "aspect of the long one", from_long.measured},
+      {name + "particles that the short one lost", static_cast<double>(from_short.n_lost), 0.},
+      {name + "particles that the long one lost", static_cast<double>(from_long.n_lost), 0.}};
   }
 
   /** Crests of the hexagons of least energy with the field falling, without magmpm. */
@@ -267,6 +290,7 @@ namespace
       add_growth(cases, wave_at(m), m < 1. ? no_limit : 0.05);
     cases.push_back({"critical magnetization", critical_row});
     cases.push_back({"no growth at 0.95 M_c", quiet_rows});
+    cases.push_back({"least energy of spikes", exact_spikes});
     for (const double waves : {5., 7.})
       cases.push_back(from_noise(1.1, waves));
     for (const double m : {1.05, 1.1, 1.2})

@@ -27,16 +27,6 @@ namespace magmpm::verification
              std::to_string(run.cells) + "-" + as_text(run.steepness);
     }
 
-    /** [m] over the flat surface. */
-    double
-    highest(const LayerRun &run, const ParticleFrame &frame)
-    {
-      double height = 0.;
-      for (const auto &place : frame.positions)
-        height = std::max(height, place[1] - run.boxed_layer().depth);
-      return height;
-    }
-
     Course
     course_of(const LayerRun &run, const std::vector<ParticleFrame> &frames, const double start)
     {
@@ -182,7 +172,7 @@ namespace magmpm::verification
   {
     const FerrofluidLayer boxed = run.boxed_layer();
     const SpikeShape shape      = spike_equilibrium(boxed, run.state(), run.k());
-    LayerSpikes spikes          = {0., shape.modes[0], 0., shape.height(0.), 0.};
+    LayerSpikes spikes          = {0., shape.modes[0], 0., shape.height(0.), 0., 0.};
     const double rate      = std::sqrt(std::abs(inviscid_rate_square(boxed, run.state(), run.k())));
     const double end       = run.duration > 0. ? run.duration : 0.3;
     const double aim       = run.steepness / run.k();
@@ -203,7 +193,16 @@ namespace magmpm::verification
       }
     spikes.change = (largest - lowest) / spikes.first_mode;
     for (const ParticleFrame &frame : frames)
-      spikes.highest = std::max(spikes.highest, highest(run, frame));
+      {
+        double n_flying = 0.;
+        for (const auto &place : frame.positions)
+          {
+            const double height = place[1] - boxed.depth;
+            spikes.highest      = std::max(spikes.highest, height);
+            n_flying += (height > spikes.crest + 1e-3);
+          }
+        spikes.n_flying = std::max(spikes.n_flying, n_flying);
+      }
     return spikes;
   }
 } // namespace magmpm::verification

@@ -44,6 +44,8 @@ namespace magmpm::verification
     double change;     ///< largest less least a_1 of the last fifth, over the mean
     double crest;      ///< exact height of the crest [m]
     double highest;    ///< particle over the flat surface, in the whole run [m]
+    double
+      n_flying; ///< most particles at once that are 1 mm and more above the crest, of the whole run
   };
 
   LayerSpikes

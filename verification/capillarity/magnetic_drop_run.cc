@@ -88,7 +88,9 @@ namespace magmpm::verification
                      "set Shape = points\nset File = " + file +
                        "\nset Particles per edge = " + std::to_string(per_edge) + "\n");
       scene.rest = "set Checkpoint every = never\nsubsection Walls\n" + face_lines(dim, "slip") +
-                   "end\n" + magnetic_lines(run, drop) + "subsection Rest\nset Damping rate = " +
+                   "set Particles leaving the box = remove\n"
+                   "end\n" +
+                   magnetic_lines(run, drop) + "subsection Rest\nset Damping rate = " +
                    as_text(run.damping * speed / drop.radius) +
                    "\nend\nsubsection Output\nset Particle quantities = J\nset Fields = false\n"
                    "set Statistics every = 1000\nset Frame interval = " +
@@ -108,7 +110,7 @@ namespace magmpm::verification
     double middle             = 0.;
     const auto frames         = particle_frames(run_magnetic_drop(run, drop, middle));
     const std::size_t first   = frames.size() * 4 / 5;
-    MagneticDropAspect result = {0., 0., 0.};
+    MagneticDropAspect result = {0., 0., 0., 0};
     double least = 1e300, largest = 0.;
     for (std::size_t i = first; i < frames.size(); ++i)
       {
@@ -129,6 +131,7 @@ namespace magmpm::verification
         largest = std::max(largest, aspect);
       }
     result.change = largest - least;
+    result.n_lost = frames.front().size() - frames.back().size();
     return result;
   }
 } // namespace magmpm::verification

@@ -2,6 +2,8 @@
 
 #include <verification/capillarity/magnetic_spheroid.h>
 
+#include <cstddef>
+
 namespace magmpm::verification
 {
   /**
@@ -17,15 +19,16 @@ namespace magmpm::verification
     double sound        = 10.; ///< sqrt(K/rho), over sqrt(gamma/(rho dx))
     double damping      = 2.;  ///< Rest/Damping rate [U/R]
     double duration     = 10.; ///< [R/U]
-    double room         = 2.;  ///< half the height of the box, over R, less 6 dx
+    double room         = 3.;  ///< half the height of the box, over R, less 6 dx
   };
 
   /** Square roots of the ratio of second moments along and across the field, which of a spheroid is the aspect ratio. */
   struct MagneticDropAspect
   {
-    double measured; ///< mean of the last fifth
-    double change;   ///< largest less least there
-    double highest;  ///< particle over the centre [R]
+    double measured;    ///< mean of the last fifth
+    double change;      ///< largest less least there
+    double highest;     ///< particle over the centre [R]
+    std::size_t n_lost; ///< particles that have left the box, since the start
   };
 
   MagneticDropAspect
