@@ -97,17 +97,17 @@ namespace
 
   /** Boxes of so many waves: which one comes out of the noise. */
   LimitCase
-  from_noise(const double magnetization, const double waves)
+  from_noise(const double magnetization, const double waves, const int cells)
   {
     LayerRun run           = wave_at(magnetization);
-    run.cells              = 24;
-    run.depth_cells        = 12;
-    run.height_cells       = 12;
+    run.cells              = cells;
+    run.depth_cells        = cells / 2;
+    run.height_cells       = cells / 2;
     run.jitter             = 0.5;
     run.layer.viscosity    = 4e-6;
     run.waves              = waves;
     const std::string name = "from noise, M " + to_text(magnetization) + " M_c, " + to_text(waves) +
-                             " waves";
+                             " waves, " + std::to_string(cells) + " cells";
     return {name, [=]() -> std::vector<LimitRow> {
               const NoiseGrowth growth = noise_growth(run);
               return {
@@ -292,7 +292,9 @@ namespace
     cases.push_back({"no growth at 0.95 M_c", quiet_rows});
     cases.push_back({"least energy of spikes", exact_spikes});
     for (const double waves : {5., 7.})
-      cases.push_back(from_noise(1.1, waves));
+      for (const int cells : {24, 48})
+        if (is_long || cells == 24)
+          cases.push_back(from_noise(1.1, waves, cells));
     for (const double m : {1.05, 1.1, 1.2})
       add_spikes(cases, spikes_at(m), true);
     for (const double aspect : {1.5, 2., 3.})
@@ -313,6 +315,11 @@ namespace
                            [chi] { return exact_hexagons(chi); }});
         for (const double k : {0.5, 2.})
           add_growth(cases, wave_at(1.3, k), 0.05);
+        LayerRun fine     = wave_at(1.3, 2.);
+        fine.cells        = 64;
+        fine.depth_cells  = 32;
+        fine.height_cells = 32;
+        add_growth(cases, fine, 0.05);
         for (const double m : {1.05, 1.1, 1.2})
           {
             LayerRun run = spikes_at(m);
