@@ -291,6 +291,30 @@ namespace magmpm
   }
 
   template <int dim>
+  NodeField<dim, SingleScalar>
+  MagneticCoupling<dim>::taking_masses(const NodeField<dim, SingleScalar> &masses) const
+  {
+    constexpr double heavy      = 0.9; // of the heaviest node around
+    constexpr auto mass         = SingleScalar::value;
+    const BlockSet<dim> &blocks = partition->blocks();
+    NodeField<dim, SingleScalar> taking(masses);
+    if (parameters.thin_mass == 0.)
+      return taking;
+    for_nodes(blocks, [&](const int slot, const int n) {
+      const double own = masses.get(mass, slot, n);
+      double most      = 0.;
+      if (own > 0.)
+        for_nodes_around(blocks, slot, n, [&](const int other_slot, const int other) {
+          most = std::max(most, masses.get(mass, other_slot, other));
+        });
+      if (most < parameters.thin_mass && own < heavy * most)
+        taking.set(mass, slot, n, 0.);
+    });
+    partition->update_ghosts(taking);
+    return taking;
+  }
+
+  template <int dim>
   void
   MagneticCoupling<dim>::find_force(const double way, std::vector<Body<dim>> &bodies)
   {
@@ -301,7 +325,7 @@ namespace magmpm
     magnetic_mass_to_lattice(bodies, blocks, parameters.lattice, masses);
     partition->add_ghosts_to_owners(masses, Parity());
     partition->update_ghosts(masses);
-    memory.dropped_force = problem->compute_force(masses, force);
+    memory.dropped_force = problem->compute_force(taking_masses(masses), force);
 
     const ForceMoments<dim> carried = force_moments(bodies, parameters.lattice, communicator);
     for (Body<dim> &body : bodies)

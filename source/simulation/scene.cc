@@ -3,12 +3,16 @@
 #include <magmpm/simulation/time_step_control.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace magmpm
 {
   namespace
   {
     using Scope = parallel::PhaseTimer::Scope;
+
+    /** Of a full cell: where no node has as much material is thin. */
+    constexpr double thin_share = 0.25;
 
     template <int dim>
     MagneticCouplingParameters<dim>
@@ -17,7 +21,15 @@ namespace magmpm
       const bool moves_magnets = std::any_of(parameters.magnet_bodies.begin(),
                                              parameters.magnet_bodies.end(),
                                              [](const auto &magnet) { return magnet.is_free; });
-      return {parameters.lattice, parameters.magnetics, parameters.solve_trigger, moves_magnets};
+      double full_cell         = 0.; // of fluids that would spray
+      for (const BodyParameters<dim> &body : parameters.bodies)
+        if (parameters.material_of(body).surface_tension > 0.)
+          full_cell = std::max(full_cell, body.density * std::pow(parameters.lattice.spacing, dim));
+      return {parameters.lattice,
+              parameters.magnetics,
+              parameters.solve_trigger,
+              moves_magnets,
+              thin_share * full_cell};
     }
 
     template <int dim>

@@ -34,6 +34,12 @@ namespace magmpm
     SolveTriggerParameters trigger;
     bool moves_magnets =
       false; ///< whether a magnet is free, so that each solve finds what moves it
+
+    /**
+     * Where no node around has this mass [kg], the heaviest ones alone take the magnetic force: so it is at the
+     * tips of spikes, which would spray, but not at the edge of a flat surface.
+     */
+    double thin_mass = 0.;
   };
 
   /** How far the material has moved since the last solve, on which the carried force depends. */
@@ -261,6 +267,10 @@ namespace magmpm
     /** The densities of grains on the nodes, summed over the ranks, ghosts up to date. */
     NodeField<dim, NodeContent>
     magnetic_content(std::vector<Body<dim>> &bodies) const;
+
+    /** The masses of nodes that take a force. @param masses  ghosts up to date. Collective. */
+    NodeField<dim, SingleScalar>
+    taking_masses(const NodeField<dim, SingleScalar> &masses) const;
 
     /**
      * Finds the magnetic force on the nodes, and lets particles carry it, with its rate of change.
