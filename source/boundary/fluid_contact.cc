@@ -12,7 +12,7 @@ namespace magmpm
     constexpr int most_sweeps = 150, sweeps_a_round = 3;
 
     /** It ends when velocities change by less than this part of the largest relative one. */
-    constexpr double tolerance = 1e-7;
+    constexpr double tolerance = 1e-9;
 
     template <int dim>
     Vector<dim>
