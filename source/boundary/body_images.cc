@@ -60,8 +60,16 @@ namespace magmpm
     share.set(SingleScalar::value, node.slot, node.number, in_all);
     wetting.set(SingleScalar::value, node.slot, node.number, wetted);
     const double depth = -least.distance;
-    if (depth >= 0. && depth <= deepest_image * dx)
+    if (!is_in_front(node) && depth >= 0. && depth <= deepest_image * dx)
       inside.push_back({node, position + std::min(2. * depth, farthest_image * dx) * least.normal});
+  }
+
+  template <int dim>
+  bool
+  BodyImages<dim>::is_in_front(const LatticeNode &node) const
+  {
+    constexpr double rounding = 1e-9; // of a node on the surface
+    return share.get(SingleScalar::value, node.slot, node.number) <= 0.5 + rounding;
   }
 
   template <int dim>
@@ -93,9 +101,8 @@ namespace magmpm
             weight *= (upper == 1 ? x[d] - at : 1. - x[d] + at);
           }
         image.originals[i] = lattice_node<dim>(blocks, node);
-        const bool counts =
-          image.originals[i].slot != invalid_slot &&
-          share.get(SingleScalar::value, image.originals[i].slot, image.originals[i].number) < 0.5;
+        const bool counts  = image.originals[i].slot != invalid_slot &&
+                            is_in_front(image.originals[i]);
         image.weights[i] = (counts ? weight : 0.);
         sum += image.weights[i];
       }

@@ -165,9 +165,9 @@ namespace magmpm
     fields.images = mirrors.images(blocks);
     // In front of a body B-splines see only what is in front.
     for_nodes_and_ghosts(blocks, [&](const int slot, const int n) {
-      const double outside = 1. - mirrors.share.get(SingleScalar::value, slot, n);
-      if (outside < 0.5)
+      if (!mirrors.is_in_front({slot, n}))
         return;
+      const double outside = 1. - mirrors.share.get(SingleScalar::value, slot, n);
       for (const auto quantity : {SurfaceContent::volume, SurfaceContent::tension})
         fields.content.set(quantity, slot, n, fields.content.get(quantity, slot, n) / outside);
     });

@@ -37,6 +37,10 @@ namespace magmpm
       return is_wetted;
     }
 
+    /** Whether a node is in front of all bodies, or on their surface. */
+    bool
+    is_in_front(const LatticeNode &node) const;
+
     /** The images of nodes inside: by linear interpolation between nodes that are not. */
     NodeImages<dim>
     images(const BlockSet<dim> &blocks) const;

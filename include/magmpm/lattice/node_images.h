@@ -26,12 +26,6 @@ namespace magmpm
       images.push_back(image);
     }
 
-    bool
-    is_empty() const
-    {
-      return images.empty();
-    }
-
     /** Gives all lanes of the nodes the weighted sum of the originals, which are no images. */
     void
     fill(NodeNumbers<dim> &field) const
