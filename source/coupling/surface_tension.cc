@@ -63,6 +63,7 @@ namespace magmpm
   SurfaceTension<dim>::look_at(const std::vector<Body<dim>> &bodies)
   {
     tensions.clear();
+    fluids.clear();
     largest_tension = largest_density = record.capillary_rate = 0.;
     is_one_fluid                                              = true;
     for (const Body<dim> &body : bodies)
@@ -73,6 +74,7 @@ namespace magmpm
         if (!is_fluid(body))
           continue;
         const double tension = body.surface_tension;
+        fluids += (fluids.empty() ? "'" : ", '") + body.name + "' " + to_text(tension) + " N/m";
         if (std::find(tensions.begin(), tensions.end(), tension) == tensions.end())
           tensions.push_back(tension);
         largest_tension = std::max(largest_tension, tension);
@@ -260,11 +262,8 @@ namespace magmpm
   {
     if (!record.touches)
       return;
-    std::string list;
-    for (const double tension : tensions)
-      list += (list.empty() ? "" : " and ") + to_text(tension) + " N/m";
     throw RunError(
-      "Fluids of different surface tension touch (" + list +
+      "Fluids of different surface tension touch (" + fluids +
       "). What their common surface does is not known: this scheme is for free surfaces. "
       "Give all of them the same 'Surface tension', or none.");
   }

@@ -200,5 +200,5 @@ TEST_CASE("Fluids of different surface tension may not touch", "[simulation][mpi
     scene.step();
   CHECK_THROWS_WITH(
     run_to(scene, 3.),
-    Catch::Contains("Fluids of different surface tension touch (0.5 N/m and 1 N/m)"));
+    Catch::Contains("Fluids of different surface tension touch ('drop' 1 N/m, 'other' 0.5 N/m)"));
 }

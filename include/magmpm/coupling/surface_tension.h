@@ -11,6 +11,7 @@
 #include <magmpm/particles/surface_content.h>
 #include <magmpm/surface/surface_force.h>
 
+#include <string>
 #include <vector>
 
 namespace magmpm
@@ -115,6 +116,7 @@ namespace magmpm
     SurfaceForce<dim> surface;
 
     std::vector<double> tensions;   ///< of fluids, each once [N/m]
+    std::string fluids;             ///< their bodies with their tensions, for a message
     double largest_tension = 0.;    ///< [N/m]
     double largest_density = 0.;    ///< of fluids with tension [kg/m^3]
     bool is_one_fluid      = false; ///< all bodies: one density, one tension
